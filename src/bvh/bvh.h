@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+namespace vernier {
+
+/// Axis-aligned box; empty while lo > hi. Growing by an empty box changes nothing.
+struct Box {
+  glm::vec3 lo = glm::vec3(3.0e38f);
+  glm::vec3 hi = glm::vec3(-3.0e38f);
+};
+
+/// Corners of one triangle, in the space that is traced (see pack_scene). `id` is the triangle's global number.
+struct BvhTriangle {
+  glm::vec3 v0, v1, v2;
+  std::uint32_t id;
+};
+
+/// 48 bytes of the device array that is traversed: a node with four quantised child boxes or one triangle.
+/// Layout: shared/bvh_record.h.
+using BvhRecord = std::array<std::uint32_t, 12>;
+
+/// A bounding volume hierarchy of degree 4 in device layout. records[0] is the root; the children of a node are
+/// contiguous. Empty when there is no triangle.
+struct Bvh {
+  std::vector<BvhRecord> records;
+  Box bounds;                          ///< unpadded bounds of all triangles
+  std::uint32_t triangle_count = 0;
+  std::uint32_t node_count = 0;
+  std::uint32_t depth = 0;             ///< nodes on the longest way from the root to a triangle; sizes the traversal stack
+  double sah_cost = 0.0;               ///< of the binary tree before collapsing: sum of area(node)/area(root) x (1 + triangles in a leaf)
+};
+
+}  // namespace vernier

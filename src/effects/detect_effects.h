@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "effects/effect_set.h"
+#include "scene/scene.h"
+
+namespace vernier {
+
+/// Effects that rendering `scene` through `camera` can make visible. May be too large, never too small: any superset
+/// gives the same picture. Judged by value: a transmission of 0 is none, a light of intensity 0 is none, a material
+/// no triangle uses asks for nothing. Pure; O(triangles + materials + lights).
+/// `scene` has passed validate_scene.
+EffectSet detect_effects(const Scene& scene, const Camera& camera, int max_bounces);
+
+/// Applies the `--effects` option to what was detected: `auto`, `all`, or a list such as `auto,-shadows` or
+/// `shadows,reflection` read from left to right. Effects another one needs are added and taken with it
+/// (tinted_shadows needs shadows, absorption needs refraction, spot_lights need point_lights).
+/// Throws Error(usage) for an unknown name.
+EffectSet choose_effects(const EffectSet& detected, const std::string& list);
+
+}  // namespace vernier

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vulkan/vulkan_raii.hpp>
+
+#include "gpu/device.h"
+
+namespace vernier {
+
+/// How shaders see a buffer, and where it lies.
+enum class BufferUse {
+  storage,             ///< read and written as a storage buffer, on the device
+  uniform,             ///< a uniform buffer, on the device
+  texels_rgba32ui,     ///< read as a uniform texel buffer of uvec4, on the device
+  texels_r32ui,        ///< read as a uniform texel buffer of uint, on the device
+  storage_host_visible ///< a storage buffer the host maps and reads and writes between submissions (counters)
+};
+
+/// Device memory with one use. Owns it; movable.
+class Buffer {
+ public:
+  Buffer() = default;
+  /// Allocates `size_bytes` (0 is rounded up to 16, others to a multiple of 4) zero-filled.
+  /// Throws Error(refused) with both numbers when the device's limit for this use or its memory is too small.
+  Buffer(const Device& device, std::uint64_t size_bytes, BufferUse use);
+
+  std::uint64_t size_bytes() const { return size_bytes_; }
+  BufferUse use() const { return use_; }
+  const vk::raii::Buffer& vk() const { return buffer_; }
+  /// The texel view; only of the texel uses.
+  const vk::raii::BufferView& view() const { return view_; }
+  /// The mapped bytes; only of storage_host_visible, valid between submissions.
+  std::span<std::byte> mapped() const { return mapped_; }
+
+  /// Copies `bytes` to `offset_bytes` (both multiples of 4) through a staging buffer of bounded size; waits.
+  void upload(const Device& device, std::span<const std::byte> bytes, std::uint64_t offset_bytes = 0);
+  /// Copies the buffer from `offset_bytes` on into `bytes`; waits.
+  void download(const Device& device, std::span<std::byte> bytes, std::uint64_t offset_bytes = 0) const;
+  /// Fills the buffer with zeros; waits.
+  void clear(const Device& device);
+
+ private:
+  std::uint64_t size_bytes_ = 0;
+  BufferUse use_ = BufferUse::storage;
+  vk::raii::DeviceMemory memory_{nullptr};
+  vk::raii::Buffer buffer_{nullptr};
+  vk::raii::BufferView view_{nullptr};
+  std::span<std::byte> mapped_;
+};
+
+}  // namespace vernier

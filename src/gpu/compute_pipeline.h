@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+#include <vulkan/vulkan_raii.hpp>
+
+#include "gpu/buffer.h"
+#include "gpu/device.h"
+
+namespace vernier {
+
+/// A buffer at a binding number of set 0. The descriptor type follows from the buffer's use.
+struct Binding {
+  std::uint32_t binding = 0;
+  const Buffer* buffer = nullptr;
+};
+
+/// Value of a specialization constant; floats and bools travel as their bits.
+struct SpecializationValue {
+  std::uint32_t constant_id = 0;
+  std::uint32_t value = 0;
+};
+
+/// A compute pipeline with its layout: set 0 and one push-constant block. Owns them; movable.
+class ComputePipeline {
+ public:
+  ComputePipeline() = default;
+  /// Compiles `spirv` (entry point main). `bindings` give set 0's numbers and types (the buffers bound later must have the
+  /// same uses). Time spent is in compile_ms().
+  ComputePipeline(const Device& device, std::span<const std::uint32_t> spirv, std::span<const Binding> bindings,
+                  std::uint32_t push_constant_bytes, std::span<const SpecializationValue> specialization);
+
+  double compile_ms() const { return compile_ms_; }
+  const vk::raii::Pipeline& vk() const { return pipeline_; }
+  const vk::raii::PipelineLayout& layout() const { return layout_; }
+  const vk::raii::DescriptorSetLayout& set_layout() const { return set_layout_; }
+
+ private:
+  vk::raii::DescriptorSetLayout set_layout_{nullptr};
+  vk::raii::PipelineLayout layout_{nullptr};
+  vk::raii::Pipeline pipeline_{nullptr};
+  double compile_ms_ = 0.0;
+};
+
+/// Buffers bound to a pipeline's set 0. Owns pool and set; the buffers outlive it.
+class BindingSet {
+ public:
+  BindingSet() = default;
+  BindingSet(const Device& device, const ComputePipeline& pipeline, std::span<const Binding> bindings);
+  /// The descriptor set.
+  vk::DescriptorSet vk() const { return *set_; }
+
+ private:
+  vk::raii::DescriptorPool pool_{nullptr};
+  vk::raii::DescriptorSet set_{nullptr};
+};
+
+}  // namespace vernier

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+#include <vulkan/vulkan_raii.hpp>
+
+#include "gpu/instance.h"
+
+namespace vernier {
+
+/// What there is to know of a device before it is opened.
+struct DeviceDescription {
+  int index = 0;             ///< position in the loader's order; what `--device` takes
+  std::string name;
+  std::string kind;          ///< discrete GPU, integrated GPU, virtual GPU, CPU, other
+  std::string driver;        ///< driver name and its own version text
+  std::string api_version;   ///< 1.3.230
+  bool usable = false;       ///< Vulkan 1.2, scalar block layout, a compute queue
+  std::string unusable_reason;
+  bool is_cpu = false;
+  bool float64 = false;
+  bool is_llvmpipe = false;
+  std::uint64_t max_storage_buffer_range_bytes = 0;
+  std::uint32_t max_texel_buffer_elements = 0;
+  std::uint64_t max_allocation_bytes = 0;
+  std::uint64_t device_memory_bytes = 0;  ///< largest device-local heap
+  std::uint32_t max_workgroup_invocations = 0;
+  std::uint32_t subgroup_size = 0;
+  bool timestamps = false;
+  double timestamp_period_ns = 0.0;
+  /// Storage buffers a shader stage may bind.
+  std::uint32_t max_storage_buffers = 0;
+};
+
+/// All devices of `instance` in the loader's order.
+std::vector<DeviceDescription> list_devices(const Instance& instance);
+
+/// The device that `selector` means: empty: the best usable one (discrete GPU, integrated, virtual, CPU; the lower
+/// index among equals; llvmpipe before other CPU devices); a number: that index; otherwise a part of the name, any case.
+/// Throws Error(no_device) that lists what there is.
+DeviceDescription choose_device(const std::vector<DeviceDescription>& devices, const std::string& selector);
+
+/// An opened device with one compute queue. Features asked for: scalar block layout only (float64 where `float64`).
+class Device {
+ public:
+  /// Opens `description`, which list_devices(instance) gave. `instance` outlives the device.
+  Device(const Instance& instance, const DeviceDescription& description);
+
+  const DeviceDescription& description() const { return description_; }
+  const vk::raii::PhysicalDevice& physical() const { return physical_; }
+  const vk::raii::Device& vk() const { return device_; }
+  const vk::raii::Queue& queue() const { return queue_; }
+  std::uint32_t queue_family() const { return queue_family_; }
+
+ private:
+  DeviceDescription description_;
+  vk::raii::PhysicalDevice physical_{nullptr};
+  vk::raii::Device device_{nullptr};
+  std::uint32_t queue_family_ = 0;
+  vk::raii::Queue queue_{nullptr};
+};
+
+/// Runs `call` and turns a Vulkan failure into an Error that says `what` was being done: device loss becomes
+/// Error(device_lost), out of memory and all else Error(failed).
+template <typename Call>
+decltype(auto) vk_check(const char* what, Call&& call);
+
+}  // namespace vernier
+
+#include "gpu/vk_check.h"

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+#include <vulkan/vulkan_raii.hpp>
+
+#include "gpu/compute_pipeline.h"
+
+namespace vernier {
+
+/// One dispatch of a submission.
+struct Dispatch {
+  const ComputePipeline* pipeline = nullptr;
+  const BindingSet* bindings = nullptr;
+  std::vector<std::byte> push_constants;
+  std::uint32_t group_count_x = 1;
+  std::uint32_t group_count_y = 1;
+  std::uint32_t group_count_z = 1;
+};
+
+/// What a finished submission took.
+struct SubmissionTime {
+  double device_ms = 0.0;  ///< by timestamps; the wall time where the device has none
+  double wall_ms = 0.0;
+};
+
+/// Records and submits dispatches one after the other and waits for them. Owns command pool, fence and queries.
+class Submitter {
+ public:
+  explicit Submitter(const Device& device);
+
+  /// Runs `dispatches` in order, each seeing what the one before wrote, and the host what all wrote. Waits with a limit
+  /// of `timeout_s`; a device that does not answer by then counts as lost. Throws Error(device_lost) on loss.
+  SubmissionTime run(std::span<const Dispatch> dispatches, double timeout_s = 120.0);
+
+ private:
+  const Device* device_ = nullptr;
+  vk::raii::CommandPool pool_{nullptr};
+  vk::raii::CommandBuffer commands_{nullptr};
+  vk::raii::Fence fence_{nullptr};
+  vk::raii::QueryPool queries_{nullptr};
+};
+
+}  // namespace vernier
