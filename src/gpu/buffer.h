@@ -31,12 +31,15 @@ class Buffer {
   const vk::raii::Buffer& vk() const { return buffer_; }
   /// The texel view; only of the texel uses.
   const vk::raii::BufferView& view() const { return view_; }
-  /// The mapped bytes; only of storage_host_visible, valid between submissions.
-  std::span<std::byte> mapped() const { return mapped_; }
+  /// The mapped bytes; only of storage_host_visible (else empty), valid between submissions.
+  std::span<std::byte> mapped() const {
+    return use_ == BufferUse::storage_host_visible ? mapped_ : std::span<std::byte>();
+  }
 
-  /// Copies `bytes` to `offset_bytes` (both multiples of 4) through a staging buffer of bounded size; waits.
+  /// Copies `bytes` to `offset_bytes` (both multiples of 4) through a staging buffer of bounded size, or directly where
+  /// the memory is the host's too; waits. A copy beyond the end throws std::logic_error; an empty one does nothing.
   void upload(const Device& device, std::span<const std::byte> bytes, std::uint64_t offset_bytes = 0);
-  /// Copies the buffer from `offset_bytes` on into `bytes`; waits.
+  /// Copies the buffer from `offset_bytes` on into `bytes`; waits. Ranges as in upload.
   void download(const Device& device, std::span<std::byte> bytes, std::uint64_t offset_bytes = 0) const;
   /// Fills the buffer with zeros; waits.
   void clear(const Device& device);
@@ -47,7 +50,7 @@ class Buffer {
   vk::raii::DeviceMemory memory_{nullptr};
   vk::raii::Buffer buffer_{nullptr};
   vk::raii::BufferView view_{nullptr};
-  std::span<std::byte> mapped_;
+  std::span<std::byte> mapped_;  // of any use whose memory is cached by the host
 };
 
 }  // namespace vernier

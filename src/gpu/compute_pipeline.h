@@ -50,11 +50,11 @@ class BindingSet {
   BindingSet() = default;
   BindingSet(const Device& device, const ComputePipeline& pipeline, std::span<const Binding> bindings);
   /// The descriptor set.
-  vk::DescriptorSet vk() const { return *set_; }
+  vk::DescriptorSet vk() const { return set_; }
 
  private:
   vk::raii::DescriptorPool pool_{nullptr};
-  vk::raii::DescriptorSet set_{nullptr};
+  vk::DescriptorSet set_;  // freed with its pool
 };
 
 }  // namespace vernier

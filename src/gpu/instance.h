@@ -1,18 +1,22 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
 namespace vernier {
 
-/// The Vulkan loader and an instance of version 1.2. Owns both; movable.
+/// The Vulkan loader and an instance of version 1.2. Owns both; movable by construction only.
 class Instance {
  public:
   /// `validation` turns the Khronos validation layer on (with synchronisation checks); its messages are collected.
   /// The environment variable VERNIER_VALIDATION=1 does the same for any caller.
   /// Throws Error(no_device) without a loader or driver, or when validation is asked for and not installed.
   explicit Instance(bool validation = false);
+  Instance(Instance&& other) noexcept;
+  Instance& operator=(Instance&&) = delete;
+  ~Instance();
 
   /// The Vulkan-Hpp instance.
   const vk::raii::Instance& vk() const { return instance_; }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
@@ -27,12 +28,16 @@ struct SubmissionTime {
 };
 
 /// Records and submits dispatches one after the other and waits for them. Owns command pool, fence and queries.
+/// `device` outlives it and stays where it is.
 class Submitter {
  public:
   explicit Submitter(const Device& device);
+  Submitter(Submitter&&) = default;
+  Submitter& operator=(Submitter&&) = delete;
 
   /// Runs `dispatches` in order, each seeing what the one before wrote, and the host what all wrote. Waits with a limit
-  /// of `timeout_s`; a device that does not answer by then counts as lost. Throws Error(device_lost) on loss.
+  /// of `timeout_s` (0 asks once); a device that does not answer by then counts as lost. Throws Error(device_lost) on
+  /// loss and from then on. Nothing to dispatch is allowed and takes almost no time.
   SubmissionTime run(std::span<const Dispatch> dispatches, double timeout_s = 120.0);
 
  private:
@@ -41,6 +46,11 @@ class Submitter {
   vk::raii::CommandBuffer commands_{nullptr};
   vk::raii::Fence fence_{nullptr};
   vk::raii::QueryPool queries_{nullptr};
+  bool lost_ = false;
 };
+
+/// Records copies and fills by `record_copies`, between barriers to everything before and after, submits them on their own and
+/// waits. For transfers outside the render loop. Throws Error(device_lost) on loss.
+void run_transfer(const Device& device, const std::function<void(const vk::raii::CommandBuffer&)>& record_copies);
 
 }  // namespace vernier

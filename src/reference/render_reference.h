@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 #include "image/image.h"
@@ -21,10 +22,9 @@ struct ReferenceSettings {
 /// The image that `scene` forms through `camera` by shaders/README.md, "Image formation", in double precision,
 /// by code that shares nothing with the shaders or the BVH. Layers: colour R G B A; depth.Z, position.XYZ,
 /// normal.XYZ, shading_normal.XYZ, uv.UV, albedo.RGB, object_id.ID, material_id.ID, primitive_id.ID at the pixel
-/// centre; sample_ids: uint32 [height][width][spp], the global triangle id of every sample's primary ray (4294967295
-/// for a miss); edge_distance: float [height][width][spp], the smallest barycentric coordinate of that hit, and for a
-/// miss the distance to the nearest silhouette in the same measure where below 1e-4, else 1: the oracle for "within its error
-/// bound of an edge". `progress` (may be empty) gets the share done in [0, 1] from any thread.
+/// centre. `scene` has passed validate_scene; an empty one shows its environment. The same for every thread count.
+/// `progress` (may be empty) gets the share done in (0, 1], one call at a time, from any thread. NaN of the scene is
+/// passed on. Throws Error(usage) unless width, height and spp are positive and cutoff is at least 0.
 ImageFile render_reference(const Scene& scene, const Camera& camera, const ReferenceSettings& settings,
                            const std::function<void(double)>& progress);
 

@@ -1,0 +1,65 @@
+// Sole owner of bindings. The scene's arrays come as texel buffers with LOADS_TEXELS, else as storage buffers.
+#ifndef VERNIER_BUFFERS_GLSL
+#define VERNIER_BUFFERS_GLSL
+
+#include "shared/bindings.h"
+#include "shared/render_constants.h"
+
+layout(set = 0, binding = BINDING_RENDER, scalar) uniform RenderBlock { RenderConstants render; };
+layout(push_constant, scalar) uniform DispatchBlock { DispatchConstants dispatch; };
+
+#ifdef LOADS_TEXELS
+layout(set = 0, binding = BINDING_RECORDS) uniform usamplerBuffer record_texels;
+layout(set = 0, binding = BINDING_TRIANGLES) uniform usamplerBuffer triangle_texels;
+layout(set = 0, binding = BINDING_VERTICES) uniform usamplerBuffer vertex_texels;
+layout(set = 0, binding = BINDING_MATERIALS) uniform usamplerBuffer material_texels;
+layout(set = 0, binding = BINDING_LIGHTS) uniform usamplerBuffer light_texels;
+layout(set = 0, binding = BINDING_TEXTURES) uniform usamplerBuffer texture_texels;
+layout(set = 0, binding = BINDING_TEXELS) uniform usamplerBuffer texel_words;
+layout(set = 0, binding = BINDING_TRIANGLE_IDS) uniform usamplerBuffer triangle_id_words;
+uvec4 load_record(uint i) { return texelFetch(record_texels, int(i)); }
+uvec4 load_triangle(uint i) { return texelFetch(triangle_texels, int(i)); }
+uvec4 load_vertex(uint i) { return texelFetch(vertex_texels, int(i)); }
+uvec4 load_material(uint i) { return texelFetch(material_texels, int(i)); }
+uvec4 load_light(uint i) { return texelFetch(light_texels, int(i)); }
+uvec4 load_texture(uint i) { return texelFetch(texture_texels, int(i)); }
+uint load_texel(uint i) { return texelFetch(texel_words, int(i)).x; }
+uint load_triangle_id(uint i) { return texelFetch(triangle_id_words, int(i)).x; }
+#else
+layout(set = 0, binding = BINDING_RECORDS, scalar) readonly buffer Records { uvec4 record_texels[]; };
+layout(set = 0, binding = BINDING_TRIANGLES, scalar) readonly buffer Triangles { uvec4 triangle_texels[]; };
+layout(set = 0, binding = BINDING_VERTICES, scalar) readonly buffer Vertices { uvec4 vertex_texels[]; };
+layout(set = 0, binding = BINDING_MATERIALS, scalar) readonly buffer Materials { uvec4 material_texels[]; };
+layout(set = 0, binding = BINDING_LIGHTS, scalar) readonly buffer Lights { uvec4 light_texels[]; };
+layout(set = 0, binding = BINDING_TEXTURES, scalar) readonly buffer Textures { uvec4 texture_texels[]; };
+layout(set = 0, binding = BINDING_TEXELS, scalar) readonly buffer Texels { uint texel_words[]; };
+layout(set = 0, binding = BINDING_TRIANGLE_IDS, scalar) readonly buffer TriangleIds { uint triangle_id_words[]; };
+uvec4 load_record(uint i) { return record_texels[i]; }
+uvec4 load_triangle(uint i) { return triangle_texels[i]; }
+uvec4 load_vertex(uint i) { return vertex_texels[i]; }
+uvec4 load_material(uint i) { return material_texels[i]; }
+uvec4 load_light(uint i) { return light_texels[i]; }
+uvec4 load_texture(uint i) { return texture_texels[i]; }
+uint load_texel(uint i) { return texel_words[i]; }
+uint load_triangle_id(uint i) { return triangle_id_words[i]; }
+#endif
+
+layout(set = 0, binding = BINDING_FILM, scalar) buffer Film { uint film_words[]; };
+layout(set = 0, binding = BINDING_COUNTERS, scalar) buffer Counters { uint counters[]; };
+layout(set = 0, binding = BINDING_PATHS, scalar) buffer Paths { uint path_words[]; };
+layout(set = 0, binding = BINDING_AOVS, scalar) buffer Aovs { uint aov_words[]; };
+
+RenderConstants render_constants() { return render; }
+DispatchConstants dispatch_constants() { return dispatch; }
+bool scene_has_triangles() { return render.triangle_count > 0u; }
+
+uint load_film(uint i) { return film_words[i]; }
+void store_film(uint i, uint word) { film_words[i] = word; }
+uint load_path(uint i) { return path_words[i]; }
+void store_path(uint i, uint word) { path_words[i] = word; }
+void store_aov(uint i, uint word) { aov_words[i] = word; }
+void add_to_counter(uint i, uint amount) {
+  if (amount > 0u) atomicAdd(counters[i], amount);
+}
+
+#endif

@@ -1,0 +1,38 @@
+// Reflection and transmission at the boundary of two dielectrics, in a form without cancellation.
+#ifndef VERNIER_FRESNEL_GLSL
+#define VERNIER_FRESNEL_GLSL
+
+#include "rounding.glsl"
+
+// Powers reflected and transmitted (unpolarised) and the cosine of refraction times eta.
+struct Fresnel {
+  float reflected;
+  float transmitted;   // 1 - reflected, worked out apart: no cancellation where either is small
+  float refracted_cosine;  // eta cos(theta_t) >= 0; 0 for total internal reflection
+};
+
+// `cosine` of the angle of incidence in [0, 1], `eta` = index behind / index in front, > 0. With k = eta^2 - 1 and
+// g = eta cos(theta_t) = sqrt(k + cosine^2), the amplitudes are r_s = -k / (c + g)^2 and
+// r_p = k ((eta^2 + 1) c^2 - 1) / (eta^2 c + g)^2; both vanish exactly at eta = 1.
+// (Born and Wolf, Principles of Optics, section 1.5.2, multiplied out.) Beyond the critical angle all is reflected.
+Fresnel fresnel_dielectric(IN(float) cosine, IN(float) eta) {
+  precise float k = (eta - 1.0f) * (eta + 1.0f);
+  precise float g_squared = k + cosine * cosine;
+  if (!(g_squared > 0.0f)) return Fresnel(1.0f, 0.0f, 0.0f);
+  float g = sqrt(g_squared);
+  float eta_squared = eta * eta;
+  float p = cosine + g;
+  float q = eta_squared * cosine + g;
+  float r_s = k / (p * p);
+  float r_p = k * ((eta_squared + 1.0f) * cosine * cosine - 1.0f) / (q * q);
+  float transmitted = 2.0f * cosine * g * (1.0f / (p * p) + eta_squared / (q * q));
+  return Fresnel(min(0.5f * (r_s * r_s + r_p * r_p), 1.0f), min(transmitted, 1.0f), g);
+}
+
+// Schlick's weight of grazing incidence, (1 - cosine)^5 (Schlick 1994, "An Inexpensive BRDF Model", eq. 15).
+float schlick_weight(IN(float) cosine) {
+  float m = clamp(1.0f - cosine, 0.0f, 1.0f);
+  return m * m * m * m * m;
+}
+
+#endif

@@ -1,0 +1,86 @@
+// The watertight ray-triangle test (Woop, Benthin, Wald 2013, "Watertight Ray/Triangle Intersection", JCGT 2(1)).
+#ifndef VERNIER_INTERSECT_TRIANGLE_GLSL
+#define VERNIER_INTERSECT_TRIANGLE_GLSL
+
+#include "ray.glsl"
+
+// The ray's own frame: axes permuted so that z is the largest component of the direction, and the shear that turns the
+// ray into the z axis. The same for all triangles, so that a shared corner has the same bits in each of them.
+struct ShearedRay {
+  vec3 origin;
+  int largest;    // axis of the largest component
+  bool flipped;   // its direction is negative: x and y change places to keep the winding
+  vec3 shear;     // (dx / dz, dy / dz, 1 / dz)
+};
+
+// v with `axis` last, in cyclic order.
+vec3 axis_last(IN(vec3) v, IN(int) axis) {
+  return axis == 0 ? vec3(v.y, v.z, v.x) : axis == 1 ? vec3(v.z, v.x, v.y) : v;
+}
+
+vec3 permuted(IN(ShearedRay) ray, IN(vec3) v) {
+  vec3 w = axis_last(v, ray.largest);
+  return ray.flipped ? vec3(w.y, w.x, w.z) : w;
+}
+
+ShearedRay sheared_ray(IN(Ray) ray) {
+  vec3 size = abs(ray.direction);
+  ShearedRay frame;
+  frame.origin = ray.origin;
+  frame.largest = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  frame.flipped = axis_last(ray.direction, frame.largest).z < 0.0f;
+  vec3 d = permuted(frame, ray.direction);
+  frame.shear = vec3(d.x / d.z, d.y / d.z, 1.0f / d.z);
+  return frame;
+}
+
+// A corner in the ray's frame: x and y sheared, z in units of t.
+vec3 sheared_corner(IN(ShearedRay) ray, IN(vec3) corner) {
+  precise vec3 p = permuted(ray, corner - ray.origin);
+  precise vec3 q = vec3(p.x - ray.shear.x * p.z, p.y - ray.shear.y * p.z, ray.shear.z * p.z);
+  return q;
+}
+
+// Bound of the error of t (pbrt-v4's derivation in "Robust Triangle Intersections", Physically Based Rendering 4th ed.,
+// section 6.8.7): hits nearer than that may lie behind the origin.
+float hit_distance_error(IN(vec3) p0, IN(vec3) p1, IN(vec3) p2, IN(vec3) edges, IN(float) inverse_det) {
+  float largest_x = max(abs(p0.x), max(abs(p1.x), abs(p2.x)));
+  float largest_y = max(abs(p0.y), max(abs(p1.y), abs(p2.y)));
+  float largest_z = max(abs(p0.z), max(abs(p1.z), abs(p2.z)));
+  float largest_edge = max(abs(edges.x), max(abs(edges.y), abs(edges.z)));
+  float error_z = gamma_bound(3.0f) * largest_z;
+  float error_x = gamma_bound(5.0f) * (largest_x + largest_z);
+  float error_y = gamma_bound(5.0f) * (largest_y + largest_z);
+  float error_edge =
+      2.0f * (gamma_bound(2.0f) * largest_x * largest_y + error_y * largest_x + error_x * largest_y);
+  return 3.0f * (gamma_bound(3.0f) * largest_edge * largest_z + error_edge * largest_z + error_z * largest_edge) *
+         abs(inverse_det);
+}
+
+// Whether the ray crosses the triangle at (t, triangle) after (t_min, after_triangle) and before `hit`, in the order of
+// hits; then `hit` is replaced. Every ray through a shared edge or corner of two triangles hits at least one of them:
+// the corners shear to the same bits in both, and the neighbour's edge value is the exact negation. False for a miss,
+// zero area or any NaN. after_triangle matters at t = t_min alone; NONE lets nothing at t_min itself pass.
+bool intersect_triangle(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2, IN(uint) triangle, IN(uint) record,
+                        IN(float) t_min, IN(uint) after_triangle, INOUT(Hit) hit) {
+  vec3 p0 = sheared_corner(ray, v0);
+  vec3 p1 = sheared_corner(ray, v1);
+  vec3 p2 = sheared_corner(ray, v2);
+  // Rounding is monotone: a rounded difference of rounded products never has the wrong sign, only a false zero.
+  precise vec3 edges = vec3(p2.x * p1.y - p2.y * p1.x, p0.x * p2.y - p0.y * p2.x, p1.x * p0.y - p1.y * p0.x);
+  precise float det = edges.x + edges.y + edges.z;
+  bool inside = min(edges.x, min(edges.y, edges.z)) >= 0.0f || max(edges.x, max(edges.y, edges.z)) <= 0.0f;
+  precise float inverse_det = 1.0f / det;
+  precise float t = (edges.x * p0.z + edges.y * p1.z + edges.z * p2.z) * inverse_det;
+  bool after = t > t_min || (t == t_min && triangle > after_triangle && after_triangle != NONE);
+  bool before = t < hit.t || (t == hit.t && triangle < hit.triangle);
+  bool accepted = inside && det != 0.0f && after && before && t > hit_distance_error(p0, p1, p2, edges, inverse_det);
+  hit.t = accepted ? t : hit.t;
+  hit.triangle = accepted ? triangle : hit.triangle;
+  hit.record = accepted ? record : hit.record;
+  hit.b1 = accepted ? edges.y * inverse_det : hit.b1;
+  hit.b2 = accepted ? edges.z * inverse_det : hit.b2;
+  return accepted;
+}
+
+#endif

@@ -1,0 +1,71 @@
+// What the ray through the pixel centre sees first: the AOVs. shaders/README.md, Image formation 6.
+#ifndef VERNIER_PRIMARY_GLSL
+#define VERNIER_PRIMARY_GLSL
+
+#include "camera.glsl"
+#include "shared/film_layout.h"
+#include "shadow.glsl"
+
+void store_aov_vector(IN(uint) first, IN(vec3) v) {
+  store_aov(first, floatBitsToUint(v.x));
+  store_aov(first + 1u, floatBitsToUint(v.y));
+  store_aov(first + 2u, floatBitsToUint(v.z));
+}
+
+// The closest hit with alpha above 0; masks and clear panes are passed.
+Hit first_visible_hit(IN(Ray) ray) {
+  Hit hit = no_hit(LARGEST_FLOAT);
+  float t_min = 0.0f;
+  uint after_triangle = NONE;
+  bool looking = true;
+  for (uint i = 0u; looking && i < TRAVERSAL_STEP_LIMIT; i++) {
+    hit = no_hit(LARGEST_FLOAT);
+    traverse_bvh(ray, t_min, after_triangle, false, hit);
+    looking = false;
+    if ((effect_on(EFFECT_ALPHA_MASK) || effect_on(EFFECT_ALPHA_BLEND)) && hit.triangle != NONE) {
+      TrianglePoint point = triangle_point(hit);
+      looking = surface_alpha(point, fetch_material(point.vertices.w)) == 0.0f;
+      t_min = hit.t;
+      after_triangle = hit.triangle;
+    }
+  }
+  return hit;
+}
+
+void store_miss(IN(uint) first) {
+  for (uint i = 0u; i < AOV_WORDS; i++) store_aov(first + i, 0u);
+  store_aov(first + AOV_DEPTH, 0x7f800000u);  // +infinity
+  store_aov(first + AOV_OBJECT_ID, NONE);
+  store_aov(first + AOV_MATERIAL_ID, NONE);
+  store_aov(first + AOV_PRIMITIVE_ID, NONE);
+  store_aov(first + AOV_TRIANGLE, NONE);
+}
+
+// Writes the AOVs of pixel number `pixel` of the band for the camera ray through `position` (pixels).
+void trace_primary(IN(vec2) position, IN(uint) pixel) {
+  RenderConstants constants = render_constants();
+  uint first = pixel * AOV_WORDS;
+  Ray ray = camera_ray(position);
+  Hit hit = first_visible_hit(ray);
+  if (hit.triangle == NONE) {
+    store_miss(first);
+    return;
+  }
+  TrianglePoint point = triangle_point(hit);
+  DeviceMaterial material = fetch_material(point.vertices.w);
+  SurfacePoint surface = surface_point(point, material, ray.direction);
+  vec2 uv = constants.uv01_texel == NONE ? vec2(0.0f) : uv_of_set(interpolated(point, constants.uv01_texel), 0u);
+  store_aov(first + AOV_DEPTH, floatBitsToUint(hit.t * constants.metres_per_unit));
+  store_aov_vector(first + AOV_POSITION, surface.position * constants.metres_per_unit + constants.world_center);
+  store_aov_vector(first + AOV_NORMAL, surface.geometric_normal);
+  store_aov_vector(first + AOV_SHADING_NORMAL, surface.normal);
+  store_aov(first + AOV_UV, floatBitsToUint(uv.x));
+  store_aov(first + AOV_UV + 1u, floatBitsToUint(uv.y));
+  store_aov_vector(first + AOV_ALBEDO, shading_terms(point, material, first_three(surface.color)).base);
+  store_aov(first + AOV_OBJECT_ID, load_triangle_id(2u * hit.triangle));
+  store_aov(first + AOV_MATERIAL_ID, point.vertices.w);
+  store_aov(first + AOV_PRIMITIVE_ID, load_triangle_id(2u * hit.triangle + 1u));
+  store_aov(first + AOV_TRIANGLE, hit.triangle);
+}
+
+#endif

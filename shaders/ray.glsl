@@ -1,0 +1,30 @@
+// A ray and a hit, in units of the traced space.
+#ifndef VERNIER_RAY_GLSL
+#define VERNIER_RAY_GLSL
+
+#include "rounding.glsl"
+#include "shared/render_constants.h"
+
+struct Ray {
+  vec3 origin;
+  vec3 direction;  // any length but zero; t counts in it
+};
+
+// A crossing of a ray with a triangle. Hits are ordered by (t, triangle): at equal t the lower number comes first.
+struct Hit {
+  float t;
+  uint triangle;  // global number; NONE: nothing hit
+  uint record;    // of the BVH, where the corners lie
+  float b1, b2;   // weights of corners 1 and 2
+};
+
+// The start of a search for hits up to t_max, at most LARGEST_FLOAT.
+Hit no_hit(IN(float) t_max) { return Hit(t_max, NONE, NONE, 0.0f, 0.0f); }
+
+// Whether the tracing functions may be given this ray: finite, with a direction.
+bool is_valid_ray(IN(Ray) ray) {
+  return is_finite(ray.origin) && is_finite(ray.direction) &&
+         (abs(ray.direction.x) > 0.0f || abs(ray.direction.y) > 0.0f || abs(ray.direction.z) > 0.0f);
+}
+
+#endif

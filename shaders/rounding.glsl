@@ -1,0 +1,46 @@
+// Bounds of float arithmetic and the few operations whose rounding matters elsewhere.
+#ifndef VERNIER_ROUNDING_GLSL
+#define VERNIER_ROUNDING_GLSL
+
+#include "shared/glsl.h"
+
+const float HALF_ULP_OF_ONE = 5.9604644775390625e-8f;  // 2^-24: relative error of one rounding
+const float LARGEST_FLOAT = 3.4028234663852886e38f;
+
+// Relative error bound of n roundings in a row, n u / (1 - n u) (Higham 2002, Accuracy and Stability of Numerical
+// Algorithms, section 3.1).
+float gamma_bound(IN(float) n) { return n * HALF_ULP_OF_ONE / (1.0f - n * HALF_ULP_OF_ONE); }
+
+// Neither NaN nor infinite, judged by the bits: drivers may assume that comparisons see no NaN.
+bool is_finite(IN(float) x) { return (floatBitsToUint(x) & 0x7f800000u) != 0x7f800000u; }
+
+bool is_finite(IN(vec3) v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
+
+float max3(IN(vec3) v) { return max(v.x, max(v.y, v.z)); }
+
+// v / |v|, the same bits for v scaled by any power of two; the zero vector for zero length or a non-finite component.
+vec3 unit_vector(IN(vec3) v) {
+  float largest = max(abs(v.x), max(abs(v.y), abs(v.z)));
+  if (!(largest > 0.0f) || !is_finite(largest)) return vec3(0.0f);
+  // Scaling by a power of two is exact; it keeps the squares from overflow and underflow.
+  uint exponent = clamp(floatBitsToUint(largest) >> 23, 1u, 252u);
+  float scale = uintBitsToFloat((253u - exponent) << 23);
+  precise vec3 w = v * scale;
+  precise float length_squared = w.x * w.x + w.y * w.y + w.z * w.z;
+  precise float reciprocal = 1.0f / sqrt(length_squared);
+  return w * reciprocal;
+}
+
+// dot(a, b) in one fixed order: dot() may be fused or reassociated by the driver.
+float dot_product(IN(vec3) a, IN(vec3) b) {
+  precise float sum = a.x * b.x + a.y * b.y + a.z * b.z;
+  return sum;
+}
+
+// cross(a, b) in one fixed order.
+vec3 cross_product(IN(vec3) a, IN(vec3) b) {
+  precise vec3 c = vec3(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+  return c;
+}
+
+#endif

@@ -1,0 +1,52 @@
+// Where in its pixel a sample lies: an Owen-scrambled Sobol (0, 2)-sequence per pixel, from integers alone.
+// shaders/README.md, Image formation 1.
+#ifndef VERNIER_SAMPLE_PATTERN_GLSL
+#define VERNIER_SAMPLE_PATTERN_GLSL
+
+#include "shared/glsl.h"
+
+// "lowbias32" (Wellons 2018, "Prospecting for Hash Functions").
+uint hash_word(IN(uint) word) {
+  uint v = word;
+  v ^= v >> 16;
+  v *= 0x7feb352du;
+  v ^= v >> 15;
+  v *= 0x846ca68bu;
+  v ^= v >> 16;
+  return v;
+}
+
+// Owen scrambling of the bits of v, the highest first (Burley 2020, "Practical Hash-based Owen Scrambling", JCGT 9(4)).
+uint owen_scramble(IN(uint) value, IN(uint) key) {
+  uint v = bitfieldReverse(value);
+  v += key;
+  v ^= v * 0x6c50b47cu;
+  v ^= v * 0xb82f1e52u;
+  v ^= v * 0xc7afe638u;
+  v ^= v * 0x8d22f6e6u;
+  return bitfieldReverse(v);
+}
+
+// Second Sobol dimension: the Pascal matrix modulo 2 applied to the reversed bits, in log steps.
+uint sobol_1(IN(uint) index) {
+  uint v = bitfieldReverse(index);
+  v ^= v >> 16;
+  v ^= (v & 0xff00ff00u) >> 8;
+  v ^= (v & 0xf0f0f0f0u) >> 4;
+  v ^= (v & 0xccccccccu) >> 2;
+  v ^= (v & 0xaaaaaaaau) >> 1;
+  return v;
+}
+
+float unit_float(IN(uint) word) { return float(word >> 8) * 5.9604644775390625e-8f; }  // 2^-24: exact
+
+// Offset in [0, 1)^2 of sample number `s` in pixel (x, y); the centre where the image has one sample per pixel.
+vec2 sample_offset(IN(uint) x, IN(uint) y, IN(uint) s, IN(uint) seed, IN(uint) spp) {
+  if (spp == 1u) return vec2(0.5f);
+  uint key = hash_word(x + hash_word(y + hash_word(seed)));
+  uint i = owen_scramble(s, hash_word(key + 1u));
+  return vec2(unit_float(owen_scramble(bitfieldReverse(i), hash_word(key + 2u))),
+              unit_float(owen_scramble(sobol_1(i), hash_word(key + 3u))));
+}
+
+#endif

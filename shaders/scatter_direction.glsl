@@ -1,0 +1,36 @@
+// Directions of mirrored and refracted rays. shaders/README.md, Image formation 5.5 and 5.6.
+#ifndef VERNIER_SCATTER_DIRECTION_GLSL
+#define VERNIER_SCATTER_DIRECTION_GLSL
+
+#include "fresnel.glsl"
+
+// The normal about which rays are mirrored and refracted: `normal`, or mirrored at the plane across `to_viewer` where it
+// faces away from the viewer, as interpolated normals do near silhouettes. Continuous there.
+vec3 scatter_normal(IN(vec3) normal, IN(vec3) to_viewer) {
+  float cosine = dot_product(normal, to_viewer);
+  return cosine < 0.0f ? unit_vector(normal - to_viewer * (2.0f * cosine)) : normal;
+}
+
+// `direction` brought to the side of the unit vector `side` by mirroring at its plane, where it is not there yet.
+vec3 kept_on_side(IN(vec3) direction, IN(vec3) side) {
+  float height = dot_product(direction, side);
+  return height < 0.0f ? direction - side * (2.0f * height) : direction;
+}
+
+// Mirror direction of `to_viewer` about `normal`, kept above the surface. Unit.
+vec3 mirrored_direction(IN(vec3) to_viewer, IN(vec3) normal, IN(vec3) geometric_normal) {
+  vec3 direction = normal * (2.0f * dot_product(normal, to_viewer)) - to_viewer;
+  return unit_vector(kept_on_side(direction, geometric_normal));
+}
+
+// Snell's direction behind the surface for index ratio eta, with `fresnel` of the same: exactly -to_viewer at eta = 1.
+// (-v - n k / (c + g)) / eta, where k / (c + g) = g - c without its cancellation. Kept below the surface. Unit.
+vec3 refracted_direction(IN(vec3) to_viewer, IN(vec3) normal, IN(vec3) geometric_normal, IN(float) eta,
+                         IN(Fresnel) fresnel) {
+  float cosine = dot_product(normal, to_viewer);
+  precise float k = (eta - 1.0f) * (eta + 1.0f);
+  vec3 direction = (-to_viewer - normal * (k / (cosine + fresnel.refracted_cosine))) / eta;
+  return unit_vector(kept_on_side(direction, -geometric_normal));
+}
+
+#endif

@@ -1,0 +1,131 @@
+// From a material and its textures to the terms of the shading model: the mapping of metallic-roughness,
+// specular-glossiness and MTL to Blinn's terms. shaders/README.md, Image formation 4.
+#ifndef VERNIER_SHADING_TERMS_GLSL
+#define VERNIER_SHADING_TERMS_GLSL
+
+#include "surface.glsl"
+
+const float PI = 3.14159265358979323846f;
+
+struct ShadingTerms {
+  vec3 base;          // base colour
+  vec3 diffuse;       // Lambert reflectance
+  vec3 specular;      // factor of the highlight
+  float exponent;     // of the highlight
+  bool cosine;        // the highlight is weighed by the cosine at the surface
+  vec3 ambient;       // reflectance of ambient light
+  vec3 mirror;        // mirror weight at normal incidence
+  vec3 mirror_grazing;  // and at grazing
+  vec3 transmission;  // tint of what goes through; not zero: transmissive
+  vec3 reflection_tint;  // of the Fresnel reflection of a transmissive surface
+  vec3 emission;
+};
+
+// Exponent of the Blinn lobe whose width matches a microfacet roughness alpha = roughness^2, kept below that of
+// alpha = 2^-8 (131070): 2 / alpha^2 - 2. Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces";
+// Karis 2013, "Specular BRDF Reference".
+float exponent_of_roughness(IN(float) roughness) {
+  float alpha = max(roughness * roughness, 0.00390625f);
+  return 2.0f / (alpha * alpha) - 2.0f;
+}
+
+// Reflectance at normal incidence of a dielectric: ((ior - 1) / (ior + 1))^2.
+float dielectric_f0(IN(float) ior) {
+  float r = (ior - 1.0f) / (ior + 1.0f);
+  return r * r;
+}
+
+// Terms of a glTF surface from base colour, F0, F90 and roughness: what is not mirrored sharply (gloss) is ambient.
+ShadingTerms microfacet_terms(IN(vec3) base, IN(vec3) diffuse, IN(vec3) f0, IN(vec3) f90, IN(float) roughness) {
+  ShadingTerms terms;
+  float gloss = (1.0f - roughness) * (1.0f - roughness);
+  terms.base = base;
+  terms.diffuse = diffuse;
+  terms.exponent = exponent_of_roughness(roughness);
+  // Distribution (e + 2) / (2 pi) times the implicit geometry term N.L N.V, over 4 N.L N.V (Karis 2013).
+  terms.specular = f0 * ((terms.exponent + 2.0f) / (8.0f * PI));
+  terms.cosine = true;
+  terms.ambient = diffuse + f0 * (1.0f - gloss);
+  terms.mirror = f0 * gloss;
+  terms.mirror_grazing = f90 * gloss;
+  terms.transmission = vec3(0.0f);
+  terms.reflection_tint = vec3(1.0f);
+  terms.emission = vec3(0.0f);
+  return terms;
+}
+
+vec4 surface_texture(IN(TrianglePoint) point, IN(DeviceMaterial) material) {
+  return effect_on(EFFECT_SURFACE_TEXTURE) ? slot_texture(point, material, TEXTURE_SLOT_SURFACE) : vec4(1.0f);
+}
+
+vec4 other_texture(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(uint) slot) {
+  return effect_on(EFFECT_OTHER_TEXTURES) ? slot_texture(point, material, slot) : vec4(1.0f);
+}
+
+ShadingTerms metallic_roughness_terms(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(vec3) base) {
+  vec4 texel = surface_texture(point, material);
+  float metallic = material.metallic * texel.z;
+  float roughness = material.roughness * texel.y;
+  float strength = material.specular_strength * other_texture(point, material, TEXTURE_SLOT_SPECULAR).w;
+  vec3 color = material.specular * first_three(other_texture(point, material, TEXTURE_SLOT_SPECULAR_COLOR));
+  float transmission = material.transmission.x * other_texture(point, material, TEXTURE_SLOT_TRANSMISSION).x;
+  vec3 dielectric = min(dielectric_f0(material.ior) * color, vec3(1.0f)) * strength;
+  vec3 f0 = mix(dielectric, base, metallic);
+  vec3 f90 = vec3(mix(strength, 1.0f, metallic));
+  vec3 diffuse = base * ((1.0f - metallic) * (1.0f - transmission) * (1.0f - max3(f0)));
+  ShadingTerms terms = microfacet_terms(base, diffuse, f0, f90, roughness);
+  terms.transmission = base * (transmission * (1.0f - metallic));
+  terms.reflection_tint = mix(vec3(1.0f), f0, metallic);
+  return terms;
+}
+
+ShadingTerms specular_glossiness_terms(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(vec3) base) {
+  vec4 texel = surface_texture(point, material);
+  vec3 f0 = min(material.specular * first_three(texel), vec3(1.0f));
+  float roughness = 1.0f - (1.0f - material.roughness) * texel.w;
+  vec3 f90 = vec3(max3(f0) > 0.0f ? 1.0f : 0.0f);
+  return microfacet_terms(base, base * (1.0f - max3(f0)), f0, f90, roughness);
+}
+
+ShadingTerms mtl_terms(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(vec3) base) {
+  vec3 texel = first_three(surface_texture(point, material));
+  ShadingTerms terms;
+  terms.base = base;
+  terms.diffuse = base;
+  terms.specular = material.specular * texel / PI;
+  terms.exponent = material.roughness * other_texture(point, material, TEXTURE_SLOT_SPECULAR).x;
+  terms.cosine = false;
+  terms.ambient = material.ambient * first_three(other_texture(point, material, TEXTURE_SLOT_SPECULAR_COLOR));
+  terms.mirror = material.reflection * texel;
+  terms.mirror_grazing = has_flag(material, MATERIAL_FRESNEL_REFLECTION) ? vec3(1.0f) : terms.mirror;
+  terms.transmission = material.transmission;
+  terms.reflection_tint = vec3(1.0f);
+  terms.emission = vec3(0.0f);
+  return terms;
+}
+
+// The terms of the surface at `point` with vertex colour `color`.
+ShadingTerms shading_terms(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(vec3) color) {
+  vec3 base = first_three(material.base_color) * color;
+  if (effect_on(EFFECT_BASE_COLOR_TEXTURE)) base *= first_three(slot_texture(point, material, TEXTURE_SLOT_BASE_COLOR));
+  uint workflow = workflow_of(material);
+  ShadingTerms terms;
+  if (workflow == WORKFLOW_METALLIC_ROUGHNESS) {
+    terms = metallic_roughness_terms(point, material, base);
+  } else if (workflow == WORKFLOW_SPECULAR_GLOSSINESS) {
+    terms = specular_glossiness_terms(point, material, base);
+  } else {
+    terms = mtl_terms(point, material, base);
+  }
+  if (effect_on(EFFECT_EMISSION)) {
+    terms.emission = material.emission;
+    if (effect_on(EFFECT_EMISSION_TEXTURE)) terms.emission *= first_three(slot_texture(point, material, TEXTURE_SLOT_EMISSION));
+  }
+  if (effect_on(EFFECT_OCCLUSION_TEXTURE)) {
+    float occlusion = slot_texture(point, material, TEXTURE_SLOT_OCCLUSION).x;
+    terms.ambient *= 1.0f + material.occlusion_strength * (occlusion - 1.0f);
+  }
+  return terms;
+}
+
+#endif

@@ -1,0 +1,19 @@
+// Binding numbers of descriptor set 0, read by C++ and GLSL alike.
+#ifndef VERNIER_SHARED_BINDINGS_H
+#define VERNIER_SHARED_BINDINGS_H
+
+#define BINDING_RENDER 0       // RenderConstants, uniform
+#define BINDING_RECORDS 1      // BVH records, uvec4, 3 per record (bvh_record.h)
+#define BINDING_TRIANGLES 2    // uvec4 per triangle: vertices 0, 1, 2, material
+#define BINDING_VERTICES 3     // uvec4, RenderConstants::vertex_texels per vertex
+#define BINDING_MATERIALS 4    // uvec4, MATERIAL_TEXELS per material
+#define BINDING_LIGHTS 5       // uvec4, LIGHT_TEXELS per light
+#define BINDING_TEXTURES 6     // uvec4 per texture: width, height, first word, format | wrap and filter bits
+#define BINDING_TEXELS 7       // uint: 256 words of the sRGB curve as float bits, then the texels of all textures
+#define BINDING_FILM 8         // uint, FILM_WORDS per pixel of a band
+#define BINDING_COUNTERS 9     // uint, COUNTER_COUNT
+#define BINDING_PATHS 10       // uint, saved paths of a dispatch, PATH_WORDS(stack) per invocation, word by word
+#define BINDING_TRIANGLE_IDS 11  // uint, 2 per triangle: object, triangle within the object
+#define BINDING_AOVS 12        // uint, AOV_WORDS per pixel of a band
+
+#endif

@@ -1,0 +1,48 @@
+// Words per pixel of the film and the AOV buffer, and of a saved path. Read by C++ and GLSL alike.
+#ifndef VERNIER_SHARED_FILM_LAYOUT_H
+#define VERNIER_SHARED_FILM_LAYOUT_H
+
+// Colour sums are 96-bit fixed point with FILM_FRACTION_BITS after the point: integer addition, so the sum has the same
+// bits in any order. One sample counts up to 2^32 (52 integer bits less 2^20 samples), in steps of 2^-44.
+#define FILM_FRACTION_BITS 44u
+#define FILM_SAMPLE_MAX_EXPONENT 32u
+#define FILM_RED 0u         // three words each, low word first
+#define FILM_GREEN 3u
+#define FILM_BLUE 6u
+#define FILM_HITS 9u        // samples whose primary ray hit something
+#define FILM_SAMPLES 10u    // samples added
+#define FILM_NON_FINITE 11u  // samples that were not finite; they are in FILM_SAMPLES, not in the sums
+#define FILM_FIRST_NON_FINITE 12u  // number of the first of them, plus 1; 0 for none
+#define FILM_RAYS 13u       // cost of the samples; nodes and triangles only where they are counted
+#define FILM_NODES 14u
+#define FILM_TRIANGLES 15u
+#define FILM_WORDS 16u
+
+#define AOV_DEPTH 0u
+#define AOV_POSITION 1u
+#define AOV_NORMAL 4u
+#define AOV_SHADING_NORMAL 7u
+#define AOV_UV 10u
+#define AOV_ALBEDO 12u
+#define AOV_OBJECT_ID 15u
+#define AOV_MATERIAL_ID 16u
+#define AOV_PRIMITIVE_ID 17u
+#define AOV_TRIANGLE 18u  // global triangle number
+#define AOV_WORDS 19u
+
+#define COUNTER_UNFINISHED 0u      // invocations that saved their path
+#define COUNTER_PRIMARY 1u         // rays begun, by kind
+#define COUNTER_SHADOW 2u
+#define COUNTER_REFLECTION 3u
+#define COUNTER_REFRACTION 4u
+#define COUNTER_STACK_OVERFLOWS 5u  // rays dropped because the path stack was full
+#define COUNTER_STUCK 6u            // invocations that could not finish even one ray of their budget
+#define COUNTER_COUNT 8u
+
+// A path to be followed: origin 3, direction 3, weight 3, t_min, after_triangle, depth | medium.
+#define PATH_RAY_WORDS 13u
+// A saved path: sample, hit, radiance 3, stack count, rays; then the current ray and the stack.
+#define PATH_HEAD_WORDS 10u
+#define PATH_WORDS(stack_size) (PATH_HEAD_WORDS + PATH_RAY_WORDS * (1u + (stack_size)))
+
+#endif

@@ -1,0 +1,66 @@
+// What stays the same for all dispatches of a render, and what changes from one to the next. Scalar layout.
+// "Units" are those of the traced space: the scene shifted and scaled by a power of two into [-1, 1] (pack_scene).
+#ifndef VERNIER_SHARED_RENDER_CONSTANTS_H
+#define VERNIER_SHARED_RENDER_CONSTANTS_H
+
+#include "shared/glsl.h"
+
+#ifdef __cplusplus
+namespace vernier {
+using glm::uint;
+using glm::vec3;
+#endif
+
+// Marks an attribute, texture or id that is not there.
+#define NONE 0xffffffffu
+
+struct RenderConstants {
+  vec3 camera_origin;  // units
+  uint image_width;    // pixels of the full image
+  vec3 camera_right;   // perspective: a t X; orthographic: a h X in units
+  uint image_height;
+  vec3 camera_up;      // perspective: t Y; orthographic: h Y in units
+  uint seed;
+  vec3 camera_forward;  // -Z
+  uint spp;             // of the whole image; 1: pixel centres
+  vec3 sky;
+  uint max_bounces;
+  vec3 ground;
+  float cutoff;
+  vec3 environment_scale;
+  uint environment_texture;  // NONE: the gradient
+  vec3 world_center;         // metres: world = unit x metres_per_unit + world_center
+  float metres_per_unit;
+  uint light_count;
+  uint triangle_count;
+  uint vertex_texels;     // uvec4 per vertex
+  uint normal_texel;      // offset of (normal, 0) within a vertex, or NONE; the next four likewise
+  uint uv01_texel;        // (uv set 0, uv set 1)
+  uint uv23_texel;        // (uv set 2, uv set 3)
+  uint color_texel;
+  uint tangent_texel;
+  uint orthographic;          // 1: parallel rays
+  vec3 ambient_harmonics[9];  // environment_harmonics.h
+};
+
+struct DispatchConstants {
+  uint tile_x;        // pixels of the full image
+  uint tile_y;
+  uint tile_width;
+  uint tile_height;
+  uint band_x;        // first pixel of the film band that is bound
+  uint band_y;
+  uint band_width;
+  uint sample_begin;  // samples of this pass
+  uint sample_end;
+  uint ray_budget;    // rays that one invocation may follow before it saves its path
+  uint resume;        // 1: go on with the saved paths
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(RenderConstants) == 4 * (8 * 4 + 9 + 27));
+static_assert(sizeof(DispatchConstants) == 44);
+}  // namespace vernier
+#endif
+
+#endif

@@ -1,0 +1,17 @@
+// Origins of secondary rays: off the surface by the error bound of the hit point, no more. No epsilon.
+#ifndef VERNIER_SPAWN_RAY_GLSL
+#define VERNIER_SPAWN_RAY_GLSL
+
+#include "surface.glsl"
+
+// The hit point moved along the geometric normal to the side that `direction` leaves on, by the error bound's extent along
+// the normal: the point then lies on that side of the exact plane. Waechter and Binder 2019 describe the problem ("A Fast
+// and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems 6); the bound is that of SurfacePoint.
+vec3 spawn_origin(IN(SurfacePoint) surface, IN(vec3) direction) {
+  float distance = dot_product(abs(surface.geometric_normal), surface.position_error);
+  bool above = dot_product(direction, surface.geometric_normal) >= 0.0f;
+  precise vec3 origin = surface.position + surface.geometric_normal * (above ? distance : -distance);
+  return origin;
+}
+
+#endif

@@ -1,0 +1,16 @@
+// Sole owner of constant_id. Ids: shared/specialization_ids.h.
+#ifndef VERNIER_SPECIALIZATION_GLSL
+#define VERNIER_SPECIALIZATION_GLSL
+
+#include "shared/effects.h"
+#include "shared/specialization_ids.h"
+
+layout(constant_id = SPECIALIZATION_EFFECTS) const uint EFFECTS = 0xffffffffu;
+layout(constant_id = SPECIALIZATION_TRAVERSAL_STACK) const uint TRAVERSAL_STACK_SIZE = 64u;
+layout(constant_id = SPECIALIZATION_SHIFT_STACK) const bool SHIFT_STACK = false;
+layout(constant_id = SPECIALIZATION_PATH_STACK) const uint PATH_STACK_SIZE = 18u;
+layout(constant_id = SPECIALIZATION_COUNT_COST) const bool COUNT_COST = false;
+
+bool effect_on(const uint effect) { return (EFFECTS & effect) != 0u; }
+
+#endif

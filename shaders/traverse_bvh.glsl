@@ -1,0 +1,92 @@
+// Closest and any hit of a ray with the scene: one merged loop over the records of the BVH.
+#ifndef VERNIER_TRAVERSE_BVH_GLSL
+#define VERNIER_TRAVERSE_BVH_GLSL
+
+#include "intersect_box.glsl"
+#include "intersect_triangle.glsl"
+
+// No traversal takes as many steps. Its real use is the loop's second condition: llvmpipe leaves loops silently after 65535
+// rounds in all, and a compiler that sees a loop end on `running` alone may take `running` for false behind it.
+const uint TRAVERSAL_STEP_LIMIT = 1u << 30;
+
+// What a traversal did. finished = false: the loop was cut off and nothing found so far may be used.
+struct TraversalCost {
+  uint nodes;
+  uint triangles;
+  bool finished;
+};
+
+// The rest of a node's hit children: child base << 8 | count << 6 | up to three 2-bit slots, the next one lowest.
+uint group_count(IN(uint) group) { return (group >> 6) & 3u; }
+
+uint group_next(IN(uint) group) { return (group >> 8) + (group & 3u); }
+
+uint without_next(IN(uint) group) {
+  return (group & 0xffffff00u) | ((group_count(group) - 1u) << 6) | ((group >> 2) & 15u);
+}
+
+// All but the first of the sorted children of a node as a group.
+uint group_of_rest(IN(ivec4) entries, IN(uint) child_base) {
+  uint count = (entries.y != SLAB_MISS ? 1u : 0u) + (entries.z != SLAB_MISS ? 1u : 0u) + (entries.w != SLAB_MISS ? 1u : 0u);
+  return child_base << 8 | count << 6 | uint(entries.y & 3) | uint(entries.z & 3) << 2 | uint(entries.w & 3) << 4;
+}
+
+// Where a traversal stands: the record to look at, its siblings still to come, the groups above.
+struct Cursor {
+  uint record;
+  uint group;
+  uint stack_count;
+  bool running;
+};
+
+// Moves on from a record: down to the nearest child where `descend` and there is one, else to the next of the group, else up.
+void advance(INOUT(Cursor) cursor, IN(bool) descend, IN(ivec4) entries, IN(uint) child_base) {
+  bool down = descend && entries.x != SLAB_MISS;
+  bool has_rest = group_count(cursor.group) > 0u;
+  bool push = down && has_rest;
+  bool pop = !down && !has_rest;
+  if (push) {
+    push_group(cursor.stack_count, cursor.group);
+    cursor.stack_count++;
+  }
+  cursor.running = cursor.running && !(pop && cursor.stack_count == 0u);
+  if (pop && cursor.running) {
+    cursor.stack_count--;
+    cursor.group = pop_group(cursor.stack_count);
+  }
+  uint rest = group_of_rest(entries, child_base);
+  cursor.record = down ? child_base + uint(entries.x & 3) : group_next(cursor.group);
+  cursor.group = down ? rest : without_next(cursor.group);
+}
+
+// Closest hit after (t_min, after_triangle) with t < hit.t on entry; `hit` is untouched where there is none.
+// `stop_at_opaque`: any hit ends the search whose triangle lets nothing pass (it need not be the closest).
+TraversalCost traverse_bvh(IN(Ray) ray, IN(float) t_min, IN(uint) after_triangle, IN(bool) stop_at_opaque,
+                           INOUT(Hit) hit) {
+  SlabRay slab = slab_ray(ray);
+  ShearedRay sheared = sheared_ray(ray);
+  TraversalCost cost = TraversalCost(0u, 0u, true);
+  Cursor cursor = Cursor(0u, 0u, 0u, scene_has_triangles() && is_valid_ray(ray));
+  uint steps = 0u;
+  while (cursor.running && steps < TRAVERSAL_STEP_LIMIT) {
+    steps++;
+    uvec4 a = load_record(3u * cursor.record);
+    uvec4 b = load_record(3u * cursor.record + 1u);
+    uvec4 c = load_record(3u * cursor.record + 2u);
+    bool is_triangle = (a.w & BVH_TRIANGLE) != 0u;
+    ivec4 entries = intersect_children(slab, a, b, c, t_min, hit.t);
+    // Both kinds are worked out for every record: lanes in lockstep pay for both anyway, and selects are cheaper than a
+    // branch. A record that is no triangle can hit nothing beyond the largest float.
+    bool accepted = intersect_triangle(sheared, uintBitsToFloat(uvec3(a.x, a.y, a.z)), uintBitsToFloat(uvec3(b.x, b.y, b.z)),
+                                       uintBitsToFloat(uvec3(c.x, c.y, c.z)), c.w, cursor.record,
+                                       is_triangle ? t_min : LARGEST_FLOAT, after_triangle, hit);
+    if (COUNT_COST) cost.triangles += is_triangle ? 1u : 0u;
+    advance(cursor, !is_triangle, entries, c.z);
+    if (stop_at_opaque) cursor.running = cursor.running && !(accepted && (a.w & BVH_TRIANGLE_NOT_OPAQUE) == 0u);
+  }
+  cost.nodes = steps - cost.triangles;
+  cost.finished = !cursor.running;
+  return cost;
+}
+
+#endif

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "bvh/bvh.h"
+
+namespace vernier {
+
+/// A child of a binary node: a node's number, or a triangle's index in the input with kLeafBit.
+using BinaryChild = std::uint32_t;
+inline constexpr BinaryChild kLeafBit = 0x80000000u;
+
+/// Is the child a triangle?
+inline bool is_leaf(BinaryChild child) { return (child & kLeafBit) != 0; }
+/// Index in the input of a child that is a triangle.
+inline std::uint32_t leaf_triangle(BinaryChild child) { return child & ~kLeafBit; }
+
+/// Inner node with the unpadded bounds of what is below it.
+struct BinaryNode {
+  Box box;
+  BinaryChild left, right;
+};
+
+/// Binary tree with one triangle per leaf. The m - 1 nodes of a subtree of m triangles lie together, the subtree's root
+/// first, then those of its left child, then those of its right child.
+struct BinaryTree {
+  std::unique_ptr<BinaryNode[]> nodes;  ///< leaf_count - 1 of them
+  std::uint32_t leaf_count = 0;         ///< triangles that have area
+  BinaryChild root = 0;                 ///< meaningless for an empty tree
+  Box bounds;
+  double sah_cost = 0.0;  ///< see Bvh
+};
+
+/// How many triangles are below the left child of node `node_index`, which has `leaf_count` below itself.
+inline std::uint32_t left_leaf_count(const BinaryNode& node, std::uint32_t node_index, std::uint32_t leaf_count) {
+  return is_leaf(node.right) ? leaf_count - 1 : node.right - node_index;
+}
+
+/// Builds the tree over all triangles that have area, by the surface area heuristic down to depth 48 and by medians
+/// below, on `thread_count` (at least 1) threads; bit-identical for every number of them.
+/// Fewer than 2^31 triangles with finite coordinates. Takes 64 bytes per triangle, keeps 32.
+BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, unsigned thread_count);
+
+}  // namespace vernier

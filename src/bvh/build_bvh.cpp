@@ -1,0 +1,36 @@
+#include "bvh/build_bvh.h"
+
+#include <string>
+
+#include "bvh/binary_tree.h"
+#include "bvh/collapse.h"
+#include "bvh/encode_bvh.h"
+#include "bvh/parallel_for.h"
+#include "error.h"
+#include "shared/bvh_record.h"
+
+namespace vernier {
+namespace {
+
+// A tree of n triangles has n triangle records and at least n / 4 nodes, so more than this need not be tried. Also keeps
+// indices clear of kLeafBit.
+void refuse_too_many(std::size_t triangle_count) {
+  if (triangle_count > BVH_MAX_RECORDS) {
+    throw Error(ErrorKind::refused, "scene: " + std::to_string(triangle_count) + " triangles, more than the " +
+                                        std::to_string(BVH_MAX_RECORDS) +
+                                        " records of a BVH hold; simplify or split the model");
+  }
+}
+
+}  // namespace
+
+Bvh build_bvh(std::span<const BvhTriangle> triangles, const std::function<bool(std::uint32_t)>& not_opaque,
+              unsigned thread_count) {
+  refuse_too_many(triangles.size());
+  const unsigned threads = resolve_thread_count(thread_count);
+  const BinaryTree tree = build_binary_tree(triangles, threads);
+  const CollapsePlans plans = tree.leaf_count > 1 ? plan_collapse(tree, threads) : nullptr;
+  return encode_bvh(tree, plans, triangles, not_opaque, threads);
+}
+
+}  // namespace vernier

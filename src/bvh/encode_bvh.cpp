@@ -1,0 +1,154 @@
+#include "bvh/encode_bvh.h"
+
+#include <algorithm>
+#include <bit>
+#include <string>
+#include <vector>
+
+#include "bvh/box.h"
+#include "bvh/parallel_for.h"
+#include "bvh/quantize_node.h"
+#include "error.h"
+#include "shared/bvh_record.h"
+
+namespace vernier {
+namespace {
+
+// Subtrees of up to this many triangles are written by one thread.
+constexpr std::uint32_t kTaskSize = 8192;
+
+// A wide node to be written: its binary node, its own record, the first record of what is below it.
+struct Task {
+  BinaryChild node;
+  std::uint32_t leaf_count;
+  std::uint32_t record;
+  std::uint32_t first_below;
+  std::uint32_t depth;  // nodes from the root to this one, both counted
+};
+
+class Encoder {
+ public:
+  Encoder(const BinaryTree& tree, const CollapsePlans& plans, std::span<const BvhTriangle> triangles,
+          const std::function<bool(std::uint32_t)>& not_opaque, std::vector<BvhRecord>& records)
+      : tree_(tree),
+        plans_(plans),
+        triangles_(triangles),
+        not_opaque_(not_opaque),
+        records_(records),
+        scene_extent_(longest_side(tree.bounds)) {}
+
+  // Writes one node and its triangles, and adds its inner children to `tasks`, the first one last.
+  void write_node(const Task& task, std::vector<Task>& tasks) const {
+    const WideChildren wide = children_of(task);
+    std::array<Box, kMaxChildren> boxes;
+    Box node_box;
+    std::array<std::uint32_t, kMaxChildren> firsts_below;
+    std::uint32_t first_below = task.first_below + wide.count;
+    for (std::uint32_t i = 0; i < wide.count; ++i) {
+      const BinaryChild child = wide.children[i].child;
+      const Box box = is_leaf(child) ? triangle_bounds(triangles_[leaf_triangle(child)]) : tree_.nodes[child].box;
+      grow(node_box, box);
+      boxes[i] = pad_box(box, scene_extent_);
+      firsts_below[i] = first_below;
+      first_below += is_leaf(child) ? 0 : record_count(plans_, child) - 1;
+    }
+    records_[task.record] =
+        quantize_node(std::span(boxes).first(wide.count), pad_box(node_box, scene_extent_), task.first_below);
+    for (std::uint32_t i = wide.count; i-- > 0;) {
+      const auto [child, leaf_count] = wide.children[i];
+      const std::uint32_t record = task.first_below + i;
+      if (is_leaf(child)) {
+        records_[record] = triangle_record(triangles_[leaf_triangle(child)]);
+      } else {
+        tasks.push_back({child, leaf_count, record, firsts_below[i], task.depth + 1});
+      }
+    }
+  }
+
+  // Writes everything below `first`; returns the number of nodes on the longest way from the root.
+  std::uint32_t write_subtree(const Task& first) const {
+    std::uint32_t depth = 0;
+    std::vector<Task> waiting = {first};
+    while (!waiting.empty()) {
+      const Task task = waiting.back();
+      waiting.pop_back();
+      depth = std::max(depth, task.depth);
+      write_node(task, waiting);
+    }
+    return depth;
+  }
+
+ private:
+  WideChildren children_of(const Task& task) const {
+    if (!is_leaf(task.node)) {
+      return wide_children(tree_, plans_, task.node, task.leaf_count);
+    }
+    WideChildren single;
+    single.children[single.count++] = {task.node, 1};
+    return single;
+  }
+
+  BvhRecord triangle_record(const BvhTriangle& triangle) const {
+    const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
+    const bool may_pass = not_opaque_ && not_opaque_(triangle.id);
+    return {bits(triangle.v0.x), bits(triangle.v0.y), bits(triangle.v0.z),
+            BVH_TRIANGLE | (may_pass ? BVH_TRIANGLE_NOT_OPAQUE : 0u),
+            bits(triangle.v1.x), bits(triangle.v1.y), bits(triangle.v1.z), 0u,
+            bits(triangle.v2.x), bits(triangle.v2.y), bits(triangle.v2.z), triangle.id};
+  }
+
+  const BinaryTree& tree_;
+  const CollapsePlans& plans_;
+  std::span<const BvhTriangle> triangles_;
+  const std::function<bool(std::uint32_t)>& not_opaque_;
+  std::vector<BvhRecord>& records_;
+  float scene_extent_;
+};
+
+std::uint32_t count_records(const BinaryTree& tree, const CollapsePlans& plans) {
+  // A leaf as root is a node and a triangle.
+  const std::uint32_t count = is_leaf(tree.root) ? 2 : record_count(plans, tree.root);
+  if (count > BVH_MAX_RECORDS) {
+    throw Error(ErrorKind::refused, "scene: " + std::to_string(tree.leaf_count) + " triangles need " +
+                                        std::to_string(count) + " BVH records, more than " +
+                                        std::to_string(BVH_MAX_RECORDS) + "; simplify or split the model");
+  }
+  return count;
+}
+
+}  // namespace
+
+Bvh encode_bvh(const BinaryTree& tree, const CollapsePlans& plans, std::span<const BvhTriangle> triangles,
+               const std::function<bool(std::uint32_t)>& not_opaque, unsigned thread_count) {
+  Bvh bvh;
+  if (tree.leaf_count == 0) {
+    return bvh;
+  }
+  bvh.records.resize(count_records(tree, plans));
+  bvh.bounds = tree.bounds;
+  bvh.triangle_count = tree.leaf_count;
+  bvh.node_count = static_cast<std::uint32_t>(bvh.records.size()) - tree.leaf_count;
+  bvh.sah_cost = tree.sah_cost;
+
+  const Encoder encoder(tree, plans, triangles, not_opaque, bvh.records);
+  std::vector<Task> upper = {{tree.root, tree.leaf_count, 0, 1, 1}};
+  std::vector<Task> subtrees;
+  while (!upper.empty()) {
+    const Task task = upper.back();
+    upper.pop_back();
+    if (task.leaf_count <= kTaskSize) {
+      subtrees.push_back(task);
+    } else {
+      bvh.depth = std::max(bvh.depth, task.depth);
+      encoder.write_node(task, upper);
+    }
+  }
+  std::vector<std::uint32_t> depths(subtrees.size());
+  parallel_for(thread_count, subtrees.size(), [&](std::size_t i) { depths[i] = encoder.write_subtree(subtrees[i]); });
+  for (const std::uint32_t depth : depths) {
+    bvh.depth = std::max(bvh.depth, depth);
+  }
+  return bvh;
+}
+
+}  // namespace vernier

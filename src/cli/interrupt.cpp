@@ -1,0 +1,27 @@
+#include "cli/interrupt.h"
+
+#include <atomic>
+#include <csignal>
+
+namespace vernier {
+namespace {
+
+// A signal handler has nothing but what is global; lock-free, so it may be set there.
+std::atomic<bool> g_interrupted{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void remember_interrupt(int) { g_interrupted.store(true); }
+
+}  // namespace
+
+void catch_interrupt() {
+  struct sigaction action {};
+  action.sa_handler = remember_interrupt;
+  action.sa_flags = SA_RESETHAND | SA_RESTART;  // after the first signal the default action is back
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, nullptr);
+}
+
+bool interrupted() { return g_interrupted.load(); }
+
+}  // namespace vernier

@@ -1,0 +1,153 @@
+#include "cli/render_options.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <sstream>
+
+#include "cli/parse_values.h"
+#include "effects/detect_effects.h"
+#include "effects/effect_names.h"
+#include "error.h"
+
+namespace vernier {
+namespace {
+
+constexpr std::uint32_t kMaxBounces = 64;       // weights have long fallen below any cutoff; bounds the work of cutoff 0
+constexpr double kMaxDispatch_ms = 60000.0;     // drivers reset a device that is busy for longer
+constexpr double kMaxTimeLimit_s = 31536000.0;  // a year
+
+constexpr std::array<const char*, 11> kAovs = {"depth",     "position",    "normal",       "shading_normal", "uv",  "albedo",
+                                               "object_id", "material_id", "primitive_id", "sample_count",   "cost"};
+
+std::vector<std::string> parse_aovs(const std::string& list) {
+  std::vector<std::string> aovs;
+  std::istringstream names(list.empty() ? list : list + ",");
+  std::string name;
+  while (std::getline(names, name, ',')) {
+    if (std::ranges::find(kAovs, name) == kAovs.end()) {
+      std::string known;
+      for (const char* aov : kAovs) {
+        known += (known.empty() ? "" : ", ") + std::string(aov);
+      }
+      throw Error(ErrorKind::usage, "--aov: there is no `" + name + "`; there are " + known);
+    }
+    if (std::ranges::find(aovs, name) != aovs.end()) {
+      throw Error(ErrorKind::usage, "--aov: `" + name + "` is listed twice");
+    }
+    aovs.push_back(name);
+  }
+  return aovs;
+}
+
+Accuracy parse_accuracy(const std::string& text) {
+  if (text == "fast" || text == "exact") {
+    throw Error(ErrorKind::usage, "--accuracy: this version has only robust, not " + text);
+  }
+  if (text != "robust") {
+    throw Error(ErrorKind::usage, "--accuracy: `" + text + "` is not fast, robust or exact");
+  }
+  return Accuracy::robust;
+}
+
+void check_crop(const RenderSettings& settings) {
+  const PixelRect rect = settings.crop.value_or(PixelRect{0, 0, settings.width, settings.height});
+  if (rect.x + rect.width > settings.width || rect.y + rect.height > settings.height) {
+    throw Error(ErrorKind::usage, "--crop: it reaches beyond the image of " + std::to_string(settings.width) + "x" +
+                                      std::to_string(settings.height) + " pixels");
+  }
+  if (std::int64_t{rect.width} * rect.height > kMaxPixels) {
+    throw Error(ErrorKind::usage, std::string(settings.crop ? "--crop" : "--size") + ": more than " + std::to_string(kMaxPixels) +
+                                      " pixels at once; render it in parts with --crop");
+  }
+}
+
+void parse_limits(const RenderArguments& arguments, RenderSettings& settings) {
+  settings.dispatch_ms = parse_number_in("--dispatch-ms", arguments.dispatch_ms, 1.0, kMaxDispatch_ms);
+  if (!arguments.tile.empty()) {
+    settings.tile = parse_size("--tile", arguments.tile);
+  }
+  if (!arguments.time_limit.empty()) {
+    constexpr double kOneMillisecond_s = 0.001;
+    settings.time_limit_s = parse_number_in("--time-limit", arguments.time_limit, kOneMillisecond_s, kMaxTimeLimit_s);
+  }
+}
+
+}  // namespace
+
+void add_size_option(CLI::App& app, std::string& size) {
+  app.add_option("--size", size, "pixels, each side from 1 to 65536 (default: 1280x720)")->type_name("WxH");
+}
+
+void add_bounces_option(CLI::App& app, std::string& max_bounces) {
+  app.add_option("--max-bounces", max_bounces, "depth of reflections and refractions, 0 to 64 (default: 8)")->type_name("N");
+}
+
+void add_effects_option(CLI::App& app, std::string& effects) {
+  app.add_option("--effects", effects,
+                 "auto, all, or a list read from left to right such as auto,-shadows or shadows,reflection (default: auto, what "
+                 "the scene calls for)")
+      ->type_name("LIST");
+}
+
+void add_sampling_options(CLI::App& app, RenderArguments& arguments) {
+  app.add_option("--spp", arguments.spp, "samples per pixel; 1 samples the pixel centre (default: 16)")->type_name("N");
+  add_bounces_option(app, arguments.max_bounces);
+  app.add_option("--cutoff", arguments.cutoff,
+                 "a ray whose weight falls below W in [0, 1] is not traced; 0 never cuts (default: 1/1024)")
+      ->type_name("W");
+  app.add_option("--seed", arguments.seed, "number of the sample pattern, 0 to 4294967295 (default: 0)")->type_name("N");
+}
+
+void add_render_options(CLI::App& app, RenderArguments& arguments) {
+  add_size_option(app, arguments.size);
+  app.add_option("--crop", arguments.crop,
+                 "pixels of the full image; their bits equal those of the full render (default: the whole image)")
+      ->type_name("X,Y,W,H");
+  add_sampling_options(app, arguments);
+  app.add_option("--sample-range", arguments.sample_range, "samples A to B-1 of each pixel, for merging (default: 0:spp)")
+      ->type_name("A:B");
+  app.add_option("--aov", arguments.aov,
+                 "further layers: depth (metres), position (metres), normal, shading_normal, uv, albedo, object_id, material_id, "
+                 "primitive_id, sample_count, cost (per sample); EXR holds them all, other formats make NAME.AOV.EXT (default: none)")
+      ->type_name("LIST");
+  app.add_option("--accuracy", arguments.accuracy, "numeric level: fast, robust or exact; this version has robust (default: robust)")
+      ->type_name("LEVEL");
+  add_effects_option(app, arguments.effects);
+  app.add_option("--tile", arguments.tile, "pixels of a submission; never changes a bit of the image (default: chosen)")
+      ->type_name("WxH");
+  app.add_option("--dispatch-ms", arguments.dispatch_ms, "time budget of one submission, milliseconds, 1 to 60000 (default: 100)")
+      ->type_name("N");
+  app.add_option("--time-limit", arguments.time_limit, "stop after S seconds with the samples done by then (default: none)")
+      ->type_name("S");
+}
+
+RenderSettings parse_render_settings(const RenderArguments& arguments) {
+  constexpr std::uint32_t kAnySeed = std::numeric_limits<std::uint32_t>::max();
+  RenderSettings settings;
+  const glm::ivec2 size = parse_size("--size", arguments.size);
+  settings.width = size.x;
+  settings.height = size.y;
+  if (!arguments.crop.empty()) {
+    settings.crop = parse_rect("--crop", arguments.crop);
+  }
+  check_crop(settings);
+  settings.spp = parse_count("--spp", arguments.spp, 1, kMaxSpp);
+  settings.sample_end = settings.spp;
+  if (!arguments.sample_range.empty()) {
+    const SampleRange range = parse_sample_range("--sample-range", arguments.sample_range, settings.spp);
+    settings.sample_begin = range.begin;
+    settings.sample_end = range.end;
+  }
+  settings.max_bounces = parse_count("--max-bounces", arguments.max_bounces, 0, kMaxBounces);
+  settings.cutoff = static_cast<float>(parse_number_in("--cutoff", arguments.cutoff, 0.0, 1.0));
+  settings.seed = parse_count("--seed", arguments.seed, 0, kAnySeed);
+  settings.accuracy = parse_accuracy(arguments.accuracy);
+  choose_effects(no_effects(), arguments.effects);  // refuses unknown names before any work is done
+  settings.effects = arguments.effects;
+  settings.aovs = parse_aovs(arguments.aov);
+  parse_limits(arguments, settings);
+  return settings;
+}
+
+}  // namespace vernier

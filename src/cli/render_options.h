@@ -1,0 +1,46 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "render/render_settings.h"
+
+namespace vernier {
+
+/// The texts of the options that say how an image is made, with the defaults of the command line.
+struct RenderArguments {
+  std::string size = "1280x720";
+  std::string crop;
+  std::string spp = "16";
+  std::string sample_range;
+  std::string max_bounces = "8";
+  std::string cutoff = "1/1024";
+  std::string accuracy = "robust";
+  std::string effects = "auto";
+  std::string tile;
+  std::string dispatch_ms = "100";
+  std::string time_limit;
+  std::string aov;
+  std::string seed = "0";
+};
+
+/// Adds --size to `app`: what reference and explain share with render.
+void add_size_option(CLI::App& app, std::string& size);
+
+/// Adds --spp, --max-bounces, --cutoff and --seed, which render and reference share.
+void add_sampling_options(CLI::App& app, RenderArguments& arguments);
+
+/// Adds --max-bounces alone, for commands that trace nothing.
+void add_bounces_option(CLI::App& app, std::string& max_bounces);
+
+/// Adds --effects.
+void add_effects_option(CLI::App& app, std::string& effects);
+
+/// Adds all options of RenderArguments to `app`. `arguments` outlives the parse.
+void add_render_options(CLI::App& app, RenderArguments& arguments);
+
+/// Reads the texts and checks them against each other: the crop lies in the image, the sample range in spp, at most
+/// kMaxPixels are rendered, effects and AOVs exist. Throws Error(usage) that names the option.
+RenderSettings parse_render_settings(const RenderArguments& arguments);
+
+}  // namespace vernier

@@ -1,0 +1,96 @@
+#include "cli/scene_options.h"
+
+#include <glm/gtc/constants.hpp>
+
+#include "cli/parse_light.h"
+#include "cli/parse_values.h"
+#include "error.h"
+#include "image/file_format.h"
+
+namespace vernier {
+namespace {
+
+std::optional<glm::dvec3> optional_vec3(const std::string& option, const std::string& text) {
+  return text.empty() ? std::nullopt : std::optional(parse_vec3(option, text));
+}
+
+double parse_fov(const std::string& text) {
+  const double degrees = parse_number("--fov", text);
+  if (!(degrees > 0.0 && degrees < 180.0)) {
+    throw Error(ErrorKind::usage, "--fov: `" + text + "` is not an angle between 0 and 180 degrees");
+  }
+  return glm::radians(degrees);
+}
+
+// A colour holds digits, signs, dots, exponents and commas only, so no name with a known extension is one.
+void parse_background(const std::string& text, SceneSettings& settings) {
+  if (text.find_first_not_of("0123456789.,+-eE") == std::string::npos) {
+    settings.background_color = parse_color("--background", text);
+  } else {
+    file_format(text, ErrorKind::usage);
+    settings.background_file = text;
+  }
+}
+
+}  // namespace
+
+void add_scene_options(CLI::App& app, SceneArguments& arguments) {
+  const char* group = "What is seen";
+  app.add_option("--camera", arguments.camera,
+                 "camera of the file, by name or index from 0 (default: the first; a file without one is framed whole)")
+      ->type_name("NAME|INDEX")
+      ->group(group);
+  app.add_option("--eye", arguments.eye, "eye in metres (default: the camera's)")->type_name("x,y,z")->group(group);
+  app.add_option("--target", arguments.target,
+                 "point looked at in metres (default: the camera's; with --eye alone the scene's centre)")
+      ->type_name("x,y,z")
+      ->group(group);
+  app.add_option("--up", arguments.up, "direction that is up in the image (default: the camera's; 0,1,0 with --eye or --target)")
+      ->type_name("x,y,z")
+      ->group(group);
+  app.add_option("--fov", arguments.fov, "vertical field of view in degrees, between 0 and 180 (default: the camera's, else 45)")
+      ->type_name("DEG")
+      ->group(group);
+  app.add_option("--light", arguments.lights,
+                 "point:x,y,z:r,g,b (metres, candela) or dir:x,y,z:r,g,b (the way the light travels, lux); repeatable, replaces the "
+                 "file's lights (default: the file's, else a key and a fill light beside the camera)")
+      ->type_name("LIGHT")
+      ->allow_extra_args(false)
+      ->group(group);
+  app.add_option("--background", arguments.background,
+                 "linear radiance, or an equirectangular image (default: the file's, else a soft gradient where the file has no "
+                 "lights, else black)")
+      ->type_name("r,g,b|FILE")
+      ->group(group);
+  app.add_option("--ambient", arguments.ambient, "linear radiance of the ambient light (default: that of the background)")
+      ->type_name("r,g,b")
+      ->group(group);
+  app.add_flag("--strict", arguments.strict,
+               "a feature of the file that is not supported is an error with exit code 3, not a warning (default: off)")
+      ->group(group);
+}
+
+SceneSettings parse_scene_settings(const SceneArguments& arguments) {
+  SceneSettings settings;
+  settings.scene = arguments.scene;
+  settings.camera = arguments.camera;
+  settings.eye = optional_vec3("--eye", arguments.eye);
+  settings.target = optional_vec3("--target", arguments.target);
+  settings.up = optional_vec3("--up", arguments.up);
+  settings.strict = arguments.strict;
+  if (!arguments.fov.empty()) {
+    settings.vertical_fov = parse_fov(arguments.fov);
+  }
+  for (const std::string& light : arguments.lights) {
+    settings.lights.push_back(parse_light(light));
+  }
+  if (!arguments.background.empty()) {
+    parse_background(arguments.background, settings);
+  }
+  if (!arguments.ambient.empty()) {
+    settings.ambient = parse_color("--ambient", arguments.ambient);
+  }
+  return settings;
+}
+
+}  // namespace vernier

@@ -1,0 +1,219 @@
+#include "effects/detect_effects.h"
+
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "effects/effect_names.h"
+#include "effects/material_terms.h"
+#include "effects/used_materials.h"
+
+namespace vernier {
+namespace {
+
+// What all rules look at: the materials that can be seen, each with its terms and its name for a reason.
+struct SeenMaterial {
+  const Material* material;
+  MaterialUsage usage;
+  MaterialTerms terms;
+  unsigned texture_slots;
+  std::string label;
+};
+
+struct SlotEffect {
+  unsigned slot;
+  std::uint32_t bit;
+  const char* what;
+};
+
+constexpr std::array<SlotEffect, TEXTURE_SLOT_COUNT> kSlotEffects = {{
+    {TEXTURE_SLOT_BASE_COLOR, EFFECT_BASE_COLOR_TEXTURE, "base colour"},
+    {TEXTURE_SLOT_SURFACE, EFFECT_SURFACE_TEXTURE, "surface"},
+    {TEXTURE_SLOT_NORMAL, EFFECT_NORMAL_TEXTURE, "normal"},
+    {TEXTURE_SLOT_OCCLUSION, EFFECT_OCCLUSION_TEXTURE, "occlusion"},
+    {TEXTURE_SLOT_EMISSION, EFFECT_EMISSION_TEXTURE, "emission"},
+    {TEXTURE_SLOT_TRANSMISSION, EFFECT_OTHER_TEXTURES, "transmission"},
+    {TEXTURE_SLOT_SPECULAR, EFFECT_OTHER_TEXTURES, "specular"},
+    {TEXTURE_SLOT_SPECULAR_COLOR, EFFECT_OTHER_TEXTURES, "specular or ambient colour"},
+    {TEXTURE_SLOT_ALPHA, EFFECT_OTHER_TEXTURES, "alpha"},
+}};
+
+bool is_zero(const glm::vec3& value) {
+  return value == glm::vec3(0.0f);
+}
+
+std::string label_of(const char* what, std::size_t index, const std::string& name) {
+  const std::string number = std::string(what) + " " + std::to_string(index);
+  return name.empty() ? number : number + " (" + name + ")";
+}
+
+std::string to_text(const glm::vec3& value) {
+  std::ostringstream text;
+  text << value.x << ", " << value.y << ", " << value.z;
+  return text.str();
+}
+
+std::vector<SeenMaterial> seen_materials(const Scene& scene) {
+  std::vector<SeenMaterial> seen;
+  const std::vector<MaterialUsage> usage = used_materials(scene);
+  for (std::size_t index = 0; index < usage.size(); ++index) {
+    if (usage[index].used) {
+      const Material& material = scene.materials[index];
+      const MaterialTerms terms = material_terms(material, usage[index]);
+      seen.push_back({&material, usage[index], terms, counted_texture_slots(material, terms),
+                      label_of("material", index, material.name)});
+    }
+  }
+  return seen;
+}
+
+std::uint32_t kind_bit(LightKind kind) {
+  if (kind == LightKind::directional) {
+    return EFFECT_DIRECTIONAL_LIGHTS;
+  }
+  return kind == LightKind::spot ? EFFECT_SPOT_LIGHTS : EFFECT_POINT_LIGHTS;
+}
+
+bool shines(const Light& light) {
+  const bool reaches = light.kind == LightKind::directional || light.range != 0.0;
+  return !is_zero(light.intensity) && reaches;
+}
+
+void detect_lights(EffectSet& effects, const Scene& scene, const std::vector<SeenMaterial>& seen) {
+  const SeenMaterial* lit = nullptr;
+  const SeenMaterial* glossy = nullptr;
+  for (const SeenMaterial& one : seen) {
+    lit = !lit && (one.terms.diffuse || one.terms.specular) ? &one : lit;
+    glossy = !glossy && one.terms.specular ? &one : glossy;
+  }
+  for (std::size_t index = 0; lit && index < scene.lights.size(); ++index) {
+    const Light& light = scene.lights[index];
+    if (!shines(light)) {
+      continue;
+    }
+    const std::string falls_on = label_of("light", index, light.name) + " falls on ";
+    switch_on(effects, kind_bit(light.kind), falls_on + lit->label);
+    switch_on(effects, EFFECT_SHADOWS, falls_on + lit->label);
+    if (glossy) {
+      switch_on(effects, EFFECT_SPECULAR, falls_on + glossy->label);
+    }
+  }
+}
+
+void detect_coverage(EffectSet& effects, const SeenMaterial& seen) {
+  const Material& material = *seen.material;
+  std::string lets_through;
+  if (seen.terms.transmission) {
+    lets_through = seen.label + ": transmission " + to_text(material.transmission);
+  }
+  if (seen.terms.cut_out) {
+    lets_through = seen.label + ": alpha can fall below its cutoff " + std::to_string(material.alpha_cutoff);
+    switch_on(effects, EFFECT_ALPHA_MASK, lets_through);
+  }
+  if (seen.terms.see_through) {
+    lets_through = seen.label + ": opacity can be below 1";
+    switch_on(effects, EFFECT_ALPHA_BLEND, lets_through);
+  }
+  if (!lets_through.empty() && (effects.bits & EFFECT_SHADOWS)) {
+    switch_on(effects, EFFECT_TINTED_SHADOWS, lets_through);
+  }
+}
+
+void detect_bounces(EffectSet& effects, const SeenMaterial& seen, int max_bounces) {
+  const MaterialTerms& terms = seen.terms;
+  const bool followed = max_bounces > 0 && !seen.material->unlit;
+  if (terms.mirror && followed) {
+    switch_on(effects, EFFECT_REFLECTION,
+              seen.label + (terms.transmission ? ": reflects at its interface" : ": mirrors"));
+  }
+  if (terms.transmission && followed) {
+    switch_on(effects, EFFECT_REFRACTION, seen.label + ": transmission " + to_text(seen.material->transmission));
+  }
+  // Shadow rays through a volume are absorbed too, whatever the number of bounces.
+  if (terms.absorption && (followed || (effects.bits & EFFECT_TINTED_SHADOWS))) {
+    switch_on(effects, EFFECT_ABSORPTION,
+              seen.label + ": absorption " + to_text(seen.material->absorption) + " per metre");
+  }
+}
+
+void detect_textures(EffectSet& effects, const Scene& scene, const SeenMaterial& seen) {
+  for (const SlotEffect& slot : kSlotEffects) {
+    const bool unseen = slot.slot == TEXTURE_SLOT_OCCLUSION && !(effects.bits & EFFECT_AMBIENT);
+    if ((seen.texture_slots & 1u << slot.slot) && !unseen) {
+      const auto index = static_cast<std::size_t>(seen.material->textures[slot.slot].texture);
+      switch_on(effects, slot.bit,
+                seen.label + ": " + slot.what + " " + label_of("texture", index, scene.textures[index].name));
+    }
+  }
+}
+
+void detect_surface(EffectSet& effects, const SeenMaterial& seen) {
+  const MaterialTerms& terms = seen.terms;
+  if (seen.usage.vertex_normals) {
+    switch_on(effects, EFFECT_SMOOTH_NORMALS, seen.label + " lies on triangles with vertex normals");
+  }
+  if (seen.usage.vertex_colors && (terms.base || terms.cut_out || terms.see_through)) {
+    switch_on(effects, EFFECT_VERTEX_COLORS, seen.label + " lies on triangles with vertex colours");
+  }
+  if (terms.emission) {
+    switch_on(effects, EFFECT_EMISSION, seen.label + ": emission " + to_text(seen.material->emission));
+  }
+  if (seen.material->unlit) {
+    switch_on(effects, EFFECT_UNLIT, seen.label);
+  }
+}
+
+// Where the ambient light comes from; empty when it is black.
+std::string ambient_source(const Environment& environment) {
+  if (environment.has_ambient_override) {
+    return is_zero(environment.ambient) ? "" : "the ambient colour " + to_text(environment.ambient);
+  }
+  if (environment.texture >= 0) {
+    return is_zero(environment.texture_scale) ? "" : "the environment image";
+  }
+  return is_zero(environment.sky) && is_zero(environment.ground) ? "" : "the background";
+}
+
+void detect_ambient(EffectSet& effects, const Environment& environment, const std::vector<SeenMaterial>& seen) {
+  const std::string source = ambient_source(environment);
+  for (const SeenMaterial& one : seen) {
+    if (!source.empty() && one.terms.ambient) {
+      switch_on(effects, EFFECT_AMBIENT, source + " falls on " + one.label);
+    }
+  }
+}
+
+void detect_view(EffectSet& effects, const Scene& scene, const Camera& camera) {
+  const Environment& environment = scene.environment;
+  if (environment.texture >= 0 && !is_zero(environment.texture_scale)) {
+    const auto index = static_cast<std::size_t>(environment.texture);
+    switch_on(effects, EFFECT_ENVIRONMENT_MAP, label_of("texture", index, scene.textures[index].name));
+  }
+  if (camera.orthographic) {
+    switch_on(effects, EFFECT_ORTHOGRAPHIC, camera.name.empty() ? "the camera" : "camera " + camera.name);
+  }
+}
+
+}  // namespace
+
+EffectSet detect_effects(const Scene& scene, const Camera& camera, int max_bounces) {
+  EffectSet effects = no_effects();
+  const std::vector<SeenMaterial> seen = seen_materials(scene);
+  detect_view(effects, scene, camera);
+  detect_lights(effects, scene, seen);
+  detect_ambient(effects, scene.environment, seen);
+  for (const SeenMaterial& one : seen) {
+    detect_surface(effects, one);
+    detect_coverage(effects, one);
+    detect_bounces(effects, one, max_bounces);
+    detect_textures(effects, scene, one);
+  }
+  for (const EffectNeed& need : effect_needs()) {
+    if (effects.bits & need.effect) {
+      switch_on(effects, need.needed, std::string("needed by ") + effect_name(need.effect));
+    }
+  }
+  return effects;
+}
+
+}  // namespace vernier

@@ -1,0 +1,84 @@
+#include "gpu/compute_pipeline.h"
+
+#include <chrono>
+
+namespace vernier {
+namespace {
+
+vk::DescriptorType descriptor_type(BufferUse use) {
+  switch (use) {
+    case BufferUse::uniform:
+      return vk::DescriptorType::eUniformBuffer;
+    case BufferUse::texels_rgba32ui:
+    case BufferUse::texels_r32ui:
+      return vk::DescriptorType::eUniformTexelBuffer;
+    case BufferUse::storage:
+    case BufferUse::storage_host_visible:
+      break;
+  }
+  return vk::DescriptorType::eStorageBuffer;
+}
+
+vk::raii::DescriptorSetLayout create_set_layout(const Device& device, std::span<const Binding> bindings) {
+  std::vector<vk::DescriptorSetLayoutBinding> slots;
+  for (const Binding& binding : bindings) {
+    slots.emplace_back(binding.binding, descriptor_type(binding.buffer->use()), 1, vk::ShaderStageFlagBits::eCompute);
+  }
+  return device.vk().createDescriptorSetLayout(vk::DescriptorSetLayoutCreateInfo({}, slots));
+}
+
+vk::raii::PipelineLayout create_layout(const Device& device, const vk::DescriptorSetLayout& set_layout,
+                                       std::uint32_t push_constant_bytes) {
+  const vk::PushConstantRange push_constants(vk::ShaderStageFlagBits::eCompute, 0, push_constant_bytes);
+  vk::PipelineLayoutCreateInfo create({}, set_layout);
+  if (push_constant_bytes != 0) create.setPushConstantRanges(push_constants);
+  return device.vk().createPipelineLayout(create);
+}
+
+}  // namespace
+
+ComputePipeline::ComputePipeline(const Device& device, std::span<const std::uint32_t> spirv,
+                                 std::span<const Binding> bindings, std::uint32_t push_constant_bytes,
+                                 std::span<const SpecializationValue> specialization) {
+  const auto start = std::chrono::steady_clock::now();
+  vk_check("compiling a shader", [&] {
+    set_layout_ = create_set_layout(device, bindings);
+    layout_ = create_layout(device, *set_layout_, push_constant_bytes);
+    const vk::raii::ShaderModule module =
+        device.vk().createShaderModule(vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
+    std::vector<vk::SpecializationMapEntry> entries;
+    std::vector<std::uint32_t> values;
+    for (const SpecializationValue& constant : specialization) {
+      entries.emplace_back(constant.constant_id, static_cast<std::uint32_t>(values.size() * sizeof(std::uint32_t)),
+                           sizeof(std::uint32_t));
+      values.push_back(constant.value);
+    }
+    const vk::SpecializationInfo special(static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                         values.size() * sizeof(std::uint32_t), values.data());
+    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main", &special);
+    pipeline_ = device.vk().createComputePipeline(nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout_));
+  });
+  compile_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+BindingSet::BindingSet(const Device& device, const ComputePipeline& pipeline, std::span<const Binding> bindings) {
+  if (bindings.empty()) return;
+  std::vector<vk::DescriptorPoolSize> sizes;
+  for (const Binding& binding : bindings) sizes.emplace_back(descriptor_type(binding.buffer->use()), 1);
+  vk_check("binding buffers", [&] {
+    pool_ = device.vk().createDescriptorPool(vk::DescriptorPoolCreateInfo({}, 1, sizes));
+    const vk::DescriptorSetLayout layout = *pipeline.set_layout();
+    const vk::DescriptorSetAllocateInfo allocate(*pool_, layout);
+    set_ = (*device.vk()).allocateDescriptorSets(allocate, *device.vk().getDispatcher()).front();
+    for (const Binding& binding : bindings) {
+      const vk::DescriptorBufferInfo whole(*binding.buffer->vk(), 0, VK_WHOLE_SIZE);
+      const vk::BufferView view = *binding.buffer->view();
+      vk::WriteDescriptorSet write(set_, binding.binding, 0, 1, descriptor_type(binding.buffer->use()));
+      write.pBufferInfo = &whole;
+      write.pTexelBufferView = &view;
+      device.vk().updateDescriptorSets(write, nullptr);
+    }
+  });
+}
+
+}  // namespace vernier

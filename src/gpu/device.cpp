@@ -1,0 +1,136 @@
+#include "gpu/device.h"
+
+#include <optional>
+
+#include "error.h"
+
+namespace vernier {
+namespace {
+
+std::optional<std::uint32_t> compute_queue_family(const vk::raii::PhysicalDevice& physical) {
+  const std::vector<vk::QueueFamilyProperties> families = physical.getQueueFamilyProperties();
+  for (std::uint32_t index = 0; index < families.size(); ++index) {
+    if (families[index].queueFlags & vk::QueueFlagBits::eCompute) return index;
+  }
+  return std::nullopt;
+}
+
+const char* kind_name(vk::PhysicalDeviceType type) {
+  switch (type) {
+    case vk::PhysicalDeviceType::eDiscreteGpu:
+      return "discrete GPU";
+    case vk::PhysicalDeviceType::eIntegratedGpu:
+      return "integrated GPU";
+    case vk::PhysicalDeviceType::eVirtualGpu:
+      return "virtual GPU";
+    case vk::PhysicalDeviceType::eCpu:
+      return "CPU";
+    default:
+      return "other";
+  }
+}
+
+std::string version_text(std::uint32_t version) {
+  return std::to_string(VK_API_VERSION_MAJOR(version)) + "." + std::to_string(VK_API_VERSION_MINOR(version)) + "." +
+         std::to_string(VK_API_VERSION_PATCH(version));
+}
+
+void describe_limits(const vk::PhysicalDeviceLimits& limits, DeviceDescription& out) {
+  out.max_storage_buffer_range_bytes = limits.maxStorageBufferRange;
+  out.max_texel_buffer_elements = limits.maxTexelBufferElements;
+  out.max_workgroup_invocations = limits.maxComputeWorkGroupInvocations;
+  out.max_storage_buffers = limits.maxPerStageDescriptorStorageBuffers;
+  out.timestamp_period_ns = limits.timestampPeriod;
+}
+
+void describe_memory(const vk::PhysicalDeviceMemoryProperties& memory, DeviceDescription& out) {
+  for (std::uint32_t heap = 0; heap < memory.memoryHeapCount; ++heap) {
+    if (memory.memoryHeaps[heap].flags & vk::MemoryHeapFlagBits::eDeviceLocal) {
+      out.device_memory_bytes = std::max<std::uint64_t>(out.device_memory_bytes, memory.memoryHeaps[heap].size);
+    }
+  }
+}
+
+/// What only devices of version 1.2 can be asked for.
+void describe_vulkan_12(const vk::raii::PhysicalDevice& physical, DeviceDescription& out) {
+  const auto properties = physical.getProperties2<vk::PhysicalDeviceProperties2, vk::PhysicalDeviceVulkan11Properties,
+                                                  vk::PhysicalDeviceVulkan12Properties>();
+  const auto& vulkan_11 = properties.get<vk::PhysicalDeviceVulkan11Properties>();
+  const auto& vulkan_12 = properties.get<vk::PhysicalDeviceVulkan12Properties>();
+  out.driver = std::string(vulkan_12.driverName.data());
+  if (vulkan_12.driverInfo[0] != '\0') out.driver += " " + std::string(vulkan_12.driverInfo.data());
+  out.is_llvmpipe = vulkan_12.driverID == vk::DriverId::eMesaLlvmpipe;
+  out.max_allocation_bytes = vulkan_11.maxMemoryAllocationSize;
+  out.subgroup_size = vulkan_11.subgroupSize;
+  const auto features = physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
+  out.float64 = features.get<vk::PhysicalDeviceFeatures2>().features.shaderFloat64 == VK_TRUE;
+  if (features.get<vk::PhysicalDeviceVulkan12Features>().scalarBlockLayout != VK_TRUE) {
+    out.unusable_reason = "no scalar block layout";
+  }
+}
+
+DeviceDescription describe(const vk::raii::PhysicalDevice& physical, int index) {
+  const vk::PhysicalDeviceProperties properties = physical.getProperties();
+  DeviceDescription out;
+  out.index = index;
+  out.name = properties.deviceName.data();
+  out.kind = kind_name(properties.deviceType);
+  out.is_cpu = properties.deviceType == vk::PhysicalDeviceType::eCpu;
+  out.api_version = version_text(properties.apiVersion);
+  describe_limits(properties.limits, out);
+  describe_memory(physical.getMemoryProperties(), out);
+  if (properties.apiVersion < VK_API_VERSION_1_2) {
+    out.driver = "version " + std::to_string(properties.driverVersion);
+    out.unusable_reason = "Vulkan " + out.api_version + ", 1.2 is needed";
+  } else {
+    describe_vulkan_12(physical, out);
+  }
+  const std::optional<std::uint32_t> family = compute_queue_family(physical);
+  if (family) {
+    out.timestamps = physical.getQueueFamilyProperties()[*family].timestampValidBits > 0;
+  } else if (out.unusable_reason.empty()) {
+    out.unusable_reason = "no compute queue";
+  }
+  out.usable = out.unusable_reason.empty();
+  return out;
+}
+
+}  // namespace
+
+std::vector<DeviceDescription> list_devices(const Instance& instance) {
+  std::vector<DeviceDescription> out;
+  try {
+    for (const vk::raii::PhysicalDevice& physical : vk::raii::PhysicalDevices(instance.vk())) {
+      out.push_back(describe(physical, static_cast<int>(out.size())));
+    }
+  } catch (const vk::SystemError& error) {
+    throw Error(ErrorKind::no_device, std::string("Vulkan: the devices cannot be listed: ") + error.what());
+  }
+  return out;
+}
+
+Device::Device(const Instance& instance, const DeviceDescription& description) : description_(description) {
+  if (!description.usable) {
+    throw Error(ErrorKind::no_device, "device " + std::to_string(description.index) + " (" + description.name +
+                                          ") is not usable: " + description.unusable_reason);
+  }
+  const std::string what = "opening device " + std::to_string(description.index) + " (" + description.name + ")";
+  vk_check(what.c_str(), [&] {
+    vk::raii::PhysicalDevices all(instance.vk());
+    physical_ = std::move(all.at(static_cast<std::size_t>(description.index)));
+    queue_family_ = compute_queue_family(physical_).value();
+    const float priority = 1.0F;
+    const vk::DeviceQueueCreateInfo queue({}, queue_family_, 1, &priority);
+    vk::PhysicalDeviceVulkan12Features vulkan_12;
+    vulkan_12.scalarBlockLayout = VK_TRUE;
+    vk::PhysicalDeviceFeatures2 features;
+    features.features.shaderFloat64 = description.float64 ? VK_TRUE : VK_FALSE;
+    features.pNext = &vulkan_12;
+    vk::DeviceCreateInfo create({}, queue);
+    create.pNext = &features;
+    device_ = vk::raii::Device(physical_, create);
+    queue_ = vk::raii::Queue(device_, queue_family_, 0);
+  });
+}
+
+}  // namespace vernier

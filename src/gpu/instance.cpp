@@ -1,0 +1,85 @@
+#include "gpu/instance.h"
+
+#include <cstdlib>
+#include <cstring>
+#include <mutex>
+
+#include "error.h"
+
+namespace vernier {
+
+/// Messages come from whichever thread makes the call that is at fault.
+struct Instance::MessageLog {
+  std::mutex mutex;
+  std::vector<std::string> lines;
+
+  static VKAPI_ATTR VkBool32 VKAPI_CALL receive(VkDebugUtilsMessageSeverityFlagBitsEXT severity,
+                                                VkDebugUtilsMessageTypeFlagsEXT,
+                                                const VkDebugUtilsMessengerCallbackDataEXT* message, void* log) {
+    const bool is_error = (severity & VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT) != 0;
+    std::string line = is_error ? "error: " : "warning: ";
+    line += message->pMessage != nullptr ? message->pMessage : "";
+    for (char& character : line) character = character == '\n' ? ' ' : character;
+    auto* self = static_cast<MessageLog*>(log);
+    const std::lock_guard lock(self->mutex);
+    self->lines.push_back(std::move(line));
+    return VK_FALSE;
+  }
+};
+
+namespace {
+
+constexpr const char* kValidationLayer = "VK_LAYER_KHRONOS_validation";
+
+bool environment_asks_for_validation() {
+  const char* value = std::getenv("VERNIER_VALIDATION");
+  return value != nullptr && std::strcmp(value, "1") == 0;
+}
+
+vk::raii::Instance create_instance(const vk::raii::Context& context, bool validation) {
+  const vk::ApplicationInfo application("vernier", 1, "vernier", 1, VK_API_VERSION_1_2);
+  vk::InstanceCreateInfo create({}, &application);
+  const std::vector<const char*> layers{kValidationLayer};
+  const std::vector<const char*> extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
+  const vk::ValidationFeatureEnableEXT synchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
+  const vk::ValidationFeaturesEXT features(synchronization);
+  if (validation) {
+    create.setPEnabledLayerNames(layers).setPEnabledExtensionNames(extensions).setPNext(&features);
+  }
+  return vk::raii::Instance(context, create);
+}
+
+}  // namespace
+
+// A try block around the whole constructor, since the loader is opened by a member.
+Instance::Instance(bool validation) try : log_(std::make_unique<MessageLog>()) {
+  const bool validate = validation || environment_asks_for_validation();
+  instance_ = create_instance(context_, validate);
+  if (!validate) return;
+  using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
+  using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
+  // Not Type::eGeneral: that is the loader talking about drivers it did not find.
+  messenger_ = vk::raii::DebugUtilsMessengerEXT(
+      instance_, vk::DebugUtilsMessengerCreateInfoEXT({}, Severity::eWarning | Severity::eError,
+                                                      Type::eValidation | Type::ePerformance, &MessageLog::receive,
+                                                      log_.get()));
+} catch (const vk::LayerNotPresentError&) {
+  throw Error(ErrorKind::no_device,
+              "Vulkan: the validation layer " + std::string(kValidationLayer) +
+                  " was asked for and is not installed (Debian: vulkan-validationlayers)");
+} catch (const vk::IncompatibleDriverError&) {
+  throw Error(ErrorKind::no_device, "Vulkan: no driver is installed (Debian: mesa-vulkan-drivers has one for any CPU)");
+} catch (const std::runtime_error& error) {
+  throw Error(ErrorKind::no_device, std::string("Vulkan: the loader does not start: ") + error.what());
+}
+
+Instance::Instance(Instance&& other) noexcept = default;
+
+Instance::~Instance() = default;
+
+std::vector<std::string> Instance::validation_messages() const {
+  const std::lock_guard lock(log_->mutex);
+  return log_->lines;
+}
+
+}  // namespace vernier

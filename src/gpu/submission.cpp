@@ -1,0 +1,146 @@
+#include "gpu/submission.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <limits>
+
+#include "error.h"
+
+namespace vernier {
+namespace {
+
+using Access = vk::AccessFlagBits;
+using Stage = vk::PipelineStageFlagBits;
+
+// A driver on the CPU that is only slow gets this long to finish after the limit, so that what the caller frees next is
+// not in use any more.
+constexpr double kGraceSeconds = 10.0;
+constexpr double kTransferTimeoutSeconds = 120.0;
+constexpr std::uint32_t kTimestampCount = 2;
+
+void memory_barrier(const vk::raii::CommandBuffer& commands, vk::PipelineStageFlags from, vk::AccessFlags written,
+                    vk::PipelineStageFlags to, vk::AccessFlags used) {
+  commands.pipelineBarrier(from, to, {}, vk::MemoryBarrier(written, used), nullptr, nullptr);
+}
+
+/// What earlier submissions wrote, by shaders or by copies, is seen by this one.
+void barrier_from_before(const vk::raii::CommandBuffer& commands) {
+  memory_barrier(commands, Stage::eComputeShader | Stage::eTransfer, Access::eShaderWrite | Access::eTransferWrite,
+                 Stage::eComputeShader | Stage::eTransfer,
+                 Access::eShaderRead | Access::eShaderWrite | Access::eUniformRead | Access::eTransferRead |
+                     Access::eTransferWrite);
+}
+
+void barrier_between_dispatches(const vk::raii::CommandBuffer& commands) {
+  memory_barrier(commands, Stage::eComputeShader, Access::eShaderWrite, Stage::eComputeShader,
+                 Access::eShaderRead | Access::eShaderWrite | Access::eUniformRead);
+}
+
+void barrier_to_host(const vk::raii::CommandBuffer& commands) {
+  memory_barrier(commands, Stage::eComputeShader | Stage::eTransfer, Access::eShaderWrite | Access::eTransferWrite,
+                 Stage::eHost, Access::eHostRead | Access::eHostWrite);
+}
+
+void record(const vk::raii::CommandBuffer& commands, const Dispatch& dispatch) {
+  commands.bindPipeline(vk::PipelineBindPoint::eCompute, *dispatch.pipeline->vk());
+  const vk::PipelineLayout layout = *dispatch.pipeline->layout();
+  if (dispatch.bindings != nullptr && dispatch.bindings->vk()) {
+    commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, layout, 0, dispatch.bindings->vk(), nullptr);
+  }
+  if (!dispatch.push_constants.empty()) {
+    commands.pushConstants<std::byte>(layout, vk::ShaderStageFlagBits::eCompute, 0, dispatch.push_constants);
+  }
+  commands.dispatch(dispatch.group_count_x, dispatch.group_count_y, dispatch.group_count_z);
+}
+
+bool wait(const Device& device, const vk::raii::Fence& fence, double seconds) {
+  const double limit_ns = std::max(seconds, 0.0) * 1e9;
+  const std::uint64_t wait_ns =
+      limit_ns < 1e18 ? static_cast<std::uint64_t>(limit_ns) : std::numeric_limits<std::uint64_t>::max();
+  return device.vk().waitForFences(*fence, VK_TRUE, wait_ns) == vk::Result::eSuccess;
+}
+
+[[noreturn]] void throw_lost(const Device& device, double seconds) {
+  throw Error(ErrorKind::device_lost, "device " + device.description().name + ": no answer within " +
+                                          std::to_string(seconds) + " s, taken as lost");
+}
+
+/// Between the two timestamps, whose upper bits need not count.
+double measured_ms(const Device& device, const vk::raii::QueryPool& queries) {
+  const auto [result, ticks] = queries.getResults<std::uint64_t>(
+      0, kTimestampCount, kTimestampCount * sizeof(std::uint64_t), sizeof(std::uint64_t),
+      vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
+  const auto families = device.physical().getQueueFamilyProperties();
+  const std::uint32_t valid_bits = families[device.queue_family()].timestampValidBits;
+  const std::uint64_t mask = valid_bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << valid_bits) - 1;
+  constexpr double kMsPerNs = 1e-6;
+  return static_cast<double>((ticks[1] - ticks[0]) & mask) * device.description().timestamp_period_ns * kMsPerNs;
+}
+
+vk::raii::CommandBuffer create_commands(const Device& device, const vk::raii::CommandPool& pool) {
+  vk::raii::CommandBuffers all(device.vk(), vk::CommandBufferAllocateInfo(*pool, vk::CommandBufferLevel::ePrimary, 1));
+  return std::move(all.front());
+}
+
+}  // namespace
+
+Submitter::Submitter(const Device& device) : device_(&device) {
+  vk_check("preparing submissions", [&] {
+    pool_ = device.vk().createCommandPool({vk::CommandPoolCreateFlagBits::eResetCommandBuffer, device.queue_family()});
+    commands_ = create_commands(device, pool_);
+    fence_ = device.vk().createFence({});
+    if (device.description().timestamps) {
+      queries_ = device.vk().createQueryPool({{}, vk::QueryType::eTimestamp, kTimestampCount});
+    }
+  });
+}
+
+SubmissionTime Submitter::run(std::span<const Dispatch> dispatches, double timeout_s) {
+  if (lost_) throw_lost(*device_, timeout_s);
+  const bool timed = device_->description().timestamps;
+  const auto start = std::chrono::steady_clock::now();
+  vk_check("running shaders", [&] {
+    commands_.reset();
+    commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    if (timed) commands_.resetQueryPool(*queries_, 0, kTimestampCount);
+    barrier_from_before(commands_);
+    if (timed) commands_.writeTimestamp(Stage::eTopOfPipe, *queries_, 0);
+    for (const Dispatch& dispatch : dispatches) {
+      if (&dispatch != dispatches.data()) barrier_between_dispatches(commands_);
+      record(commands_, dispatch);
+    }
+    if (timed) commands_.writeTimestamp(Stage::eBottomOfPipe, *queries_, 1);
+    barrier_to_host(commands_);
+    commands_.end();
+    device_->vk().resetFences(*fence_);
+    const vk::CommandBuffer submitted = *commands_;
+    device_->queue().submit(vk::SubmitInfo(nullptr, nullptr, submitted), *fence_);
+    if (!wait(*device_, fence_, timeout_s)) {
+      lost_ = true;
+      wait(*device_, fence_, kGraceSeconds);
+      throw_lost(*device_, timeout_s);
+    }
+  });
+  const double wall_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return {timed ? vk_check("reading timestamps", [&] { return measured_ms(*device_, queries_); }) : wall_ms, wall_ms};
+}
+
+void run_transfer(const Device& device, const std::function<void(const vk::raii::CommandBuffer&)>& record_copies) {
+  vk_check("copying buffers", [&] {
+    const vk::raii::CommandPool pool =
+        device.vk().createCommandPool({vk::CommandPoolCreateFlagBits::eTransient, device.queue_family()});
+    const vk::raii::CommandBuffer commands = create_commands(device, pool);
+    const vk::raii::Fence fence = device.vk().createFence({});
+    commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
+    barrier_from_before(commands);
+    record_copies(commands);
+    barrier_to_host(commands);
+    commands.end();
+    const vk::CommandBuffer submitted = *commands;
+    device.queue().submit(vk::SubmitInfo(nullptr, nullptr, submitted), *fence);
+    if (!wait(device, fence, kTransferTimeoutSeconds)) throw_lost(device, kTransferTimeoutSeconds);
+  });
+}
+
+}  // namespace vernier

@@ -1,0 +1,37 @@
+#include "image/file_format.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+
+namespace vernier {
+
+FileFormat file_format(const std::string& path, ErrorKind kind_if_unknown) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  if (extension == ".exr") return FileFormat::exr;
+  if (extension == ".png") return FileFormat::png;
+  if (extension == ".jpg" || extension == ".jpeg") return FileFormat::jpeg;
+  if (extension == ".hdr") return FileFormat::hdr;
+  if (extension == ".tif" || extension == ".tiff") return FileFormat::tiff;
+  throw Error(kind_if_unknown, path + ": unknown image format; possible are .exr .png .jpg .jpeg .hdr .tif .tiff");
+}
+
+const char* codec_name(FileFormat format) {
+  switch (format) {
+    case FileFormat::exr:
+      return "openexr";
+    case FileFormat::png:
+      return "png";
+    case FileFormat::jpeg:
+      return "jpeg";
+    case FileFormat::hdr:
+      return "hdr";
+    case FileFormat::tiff:
+      return "tiff";
+  }
+  return "";
+}
+
+}  // namespace vernier

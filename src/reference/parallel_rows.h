@@ -1,0 +1,13 @@
+#pragma once
+
+#include <functional>
+
+namespace vernier::reference {
+
+/// Calls `work(row)` once for each row in [0, row_count) on `thread_count` threads (0: all cores) and returns when all
+/// are done. `progress` (may be empty) gets the share done, growing to 1, one call at a time from any thread. An
+/// exception of either ends the work and is passed on.
+void for_each_row(int row_count, unsigned thread_count, const std::function<void(int)>& work,
+                  const std::function<void(double)>& progress);
+
+}  // namespace vernier::reference

@@ -1,0 +1,112 @@
+#include "reference/shading_frame.h"
+
+#include <cmath>
+#include <optional>
+
+#include "reference/vertex_values.h"
+
+namespace vernier::reference {
+
+namespace {
+
+std::optional<glm::dvec3> unit(const glm::dvec3& v) {
+  const double length = glm::length(v);
+  if (!(length > 0.0)) return std::nullopt;
+  return v / length;
+}
+
+struct Tangents {
+  glm::dvec3 tangent;
+  glm::dvec3 bitangent;
+};
+
+const Mesh& mesh_of(const TracedScene& scene, const Triangle& triangle) {
+  return scene.scene->meshes[scene.scene->instances[triangle.instance].mesh];
+}
+
+glm::dvec3 smooth_normal(const TracedScene& scene, const Triangle& triangle, const glm::dvec3& weights) {
+  const Mesh& mesh = mesh_of(scene, triangle);
+  if (mesh.normals.empty()) return triangle.normal;
+  glm::dvec3 sum(0.0);
+  for (int corner = 0; corner < 3; ++corner) {
+    const glm::dvec3 normal(mesh.normals[triangle.vertices[corner]]);
+    const auto world = unit(scene.baked.frames[triangle.instance].world_from_normal * normal);
+    if (!world) return triangle.normal;
+    sum += weights[corner] * *world;
+  }
+  const glm::dvec3 smooth = unit(sum).value_or(triangle.normal);
+  return glm::dot(smooth, triangle.normal) < 0.0 ? -smooth : smooth;
+}
+
+// The weighted tangent of the vertices; none where the mesh has none or a corner's is zero.
+std::optional<glm::dvec3> vertex_tangent(const TracedScene& scene, const Triangle& triangle,
+                                         const glm::dvec3& weights) {
+  const Mesh& mesh = mesh_of(scene, triangle);
+  if (mesh.tangents.empty()) return std::nullopt;
+  glm::dvec3 sum(0.0);
+  for (int corner = 0; corner < 3; ++corner) {
+    const glm::dvec3 tangent(mesh.tangents[triangle.vertices[corner]]);
+    const auto world = unit(scene.baked.frames[triangle.instance].world_from_tangent * tangent);
+    if (!world) return std::nullopt;
+    sum += weights[corner] * *world;
+  }
+  return sum;
+}
+
+std::optional<Tangents> tangents_from_vertices(const TracedScene& scene, const Triangle& triangle, glm::dvec3 sum,
+                                               const glm::dvec3& normal) {
+  const auto tangent = unit(sum - normal * glm::dot(normal, sum));
+  if (!tangent) return std::nullopt;
+  const double handedness = mesh_of(scene, triangle).tangents[triangle.vertices[0]].w;
+  const double mirrored = scene.baked.frames[triangle.instance].handedness;
+  return Tangents{*tangent, glm::cross(normal, *tangent) * handedness * mirrored};
+}
+
+std::optional<Tangents> tangents_from_uvs(const TracedScene& scene, const Triangle& triangle,
+                                          const glm::dvec3& normal) {
+  const TextureUse& use = scene.scene->materials[triangle.material].textures[TEXTURE_SLOT_NORMAL];
+  const std::array<glm::dvec2, 3> uvs = corner_uvs(*scene.scene, triangle, use.uv_set);
+  const glm::dvec2 uv1 = uvs[1] - uvs[0];
+  const glm::dvec2 uv2 = uvs[2] - uvs[0];
+  const double area = uv1.x * uv2.y - uv2.x * uv1.y;
+  if (!(std::abs(area) > 0.0)) return std::nullopt;
+  const double sign = area > 0.0 ? 1.0 : -1.0;
+  const glm::dvec3 e1 = triangle.corners[1] - triangle.corners[0];
+  const glm::dvec3 e2 = triangle.corners[2] - triangle.corners[0];
+  const glm::dvec3 along_u = (e1 * uv2.y - e2 * uv1.y) * sign;
+  const auto tangent = unit(along_u - normal * glm::dot(normal, along_u));
+  if (!tangent) return std::nullopt;
+  return Tangents{*tangent, -glm::cross(normal, *tangent) * sign};
+}
+
+glm::dvec3 textured_normal(const TracedScene& scene, const Triangle& triangle, const glm::dvec3& weights,
+                           const glm::dvec3& normal) {
+  const Material& material = scene.scene->materials[triangle.material];
+  if (material.textures[TEXTURE_SLOT_NORMAL].texture < 0) return normal;
+  const auto vertex_sum = vertex_tangent(scene, triangle, weights);
+  const auto tangents = vertex_sum ? tangents_from_vertices(scene, triangle, *vertex_sum, normal)
+                                   : tangents_from_uvs(scene, triangle, normal);
+  if (!tangents) return normal;
+  const glm::dvec3 rgb(texture_at(*scene.scene, triangle, weights, TEXTURE_SLOT_NORMAL));
+  const glm::dvec3 m = (2.0 * rgb - 1.0) * glm::dvec3(material.normal_scale, material.normal_scale, 1.0);
+  return unit(m.x * tangents->tangent + m.y * tangents->bitangent + m.z * normal).value_or(normal);
+}
+
+}  // namespace
+
+ShadingFrame shading_frame(const TracedScene& scene, const Hit& hit, const glm::dvec3& direction) {
+  const Triangle& triangle = scene.baked.triangles[hit.triangle];
+  ShadingFrame frame;
+  frame.position = triangle.corners[0] + hit.weights.y * (triangle.corners[1] - triangle.corners[0]) +
+                   hit.weights.z * (triangle.corners[2] - triangle.corners[0]);
+  frame.geometric_normal = triangle.normal;
+  frame.shading_normal = textured_normal(scene, triangle, hit.weights, smooth_normal(scene, triangle, hit.weights));
+  frame.front = glm::dot(triangle.normal, direction) <= 0.0;
+  if (!frame.front) {
+    frame.geometric_normal = -frame.geometric_normal;
+    frame.shading_normal = -frame.shading_normal;
+  }
+  return frame;
+}
+
+}  // namespace vernier::reference

@@ -1,0 +1,205 @@
+#include "scene/gltf_document.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <utility>
+
+#include "error.h"
+#include "scene/gltf_container.h"
+#include "scene/gltf_extensions.h"
+#include "scene/gltf_json.h"
+#include "scene/gltf_references.h"
+#include "scene/gltf_uri.h"
+
+namespace vernier {
+namespace {
+
+using nlohmann::json;
+
+/// A GLB cannot be longer; a text file or buffer beyond it is no still image's scene.
+constexpr std::uint64_t kMaxFileBytes = 0xFFFFFFFFu;
+
+/// An image is kept out of tinygltf's way, but its loader must exist.
+bool leave_image_encoded(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int,
+                         void*) {
+  return true;
+}
+
+json take_array(json& root, const char* name) {
+  json taken = json::array();
+  const auto found = root.find(name);
+  if (found == root.end()) return taken;
+  if (found->is_array()) taken = std::move(*found);
+  root.erase(found);
+  return taken;
+}
+
+std::string string_member(const json& object, const char* name) {
+  const auto found = object.find(name);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+bool is_fallback_buffer(const json& buffer) {
+  const json::json_pointer fallback("/extensions/EXT_meshopt_compression");
+  return buffer.contains(fallback) && buffer.at(fallback).is_object() &&
+         buffer.at(fallback).value("fallback", json()) == json(true);
+}
+
+GltfBuffer load_buffer(const GltfDocument& document, const json& json_buffer, std::size_t index,
+                       const GltfContainer& container) {
+  const std::string place = "buffer " + std::to_string(index);
+  if (!json_buffer.is_object()) refuse_gltf(document, place, "it is not an object");
+  const auto length = json_buffer.find("byteLength");
+  if (length == json_buffer.end() || !length->is_number_unsigned()) {
+    refuse_gltf(document, place, "byteLength is missing or not a positive integer");
+  }
+  GltfBuffer buffer;
+  const std::string uri = string_member(json_buffer, "uri");
+  if (is_fallback_buffer(json_buffer) || (uri.empty() && (index > 0 || !container.has_bin))) {
+    buffer.is_fallback = true;
+    return buffer;
+  }
+  const std::string full_place = document.path + ": " + place;
+  std::string source = "the BIN chunk";
+  if (uri.empty()) {
+    buffer.bytes.assign(container.bin.begin(), container.bin.end());
+  } else if (is_data_uri(uri)) {
+    source = "the data URI";
+    buffer.bytes = decode_data_uri(uri, full_place);
+  } else {
+    source = uri;
+    buffer.bytes = read_file_bytes(path_from_uri(uri, document.directory), full_place + ": " + uri, kMaxFileBytes);
+  }
+  const std::uint64_t promised = length->get<std::uint64_t>();
+  if (promised > buffer.bytes.size()) {
+    refuse_gltf(document, place,
+                source + " has " + std::to_string(buffer.bytes.size()) + " bytes, byteLength promises " +
+                    std::to_string(promised));
+  }
+  buffer.bytes.resize(static_cast<std::size_t>(promised));
+  return buffer;
+}
+
+GltfImage describe_image(const GltfDocument& document, const json& image, std::size_t index) {
+  const std::string place = "image " + std::to_string(index);
+  if (!image.is_object()) refuse_gltf(document, place, "it is not an object");
+  GltfImage result{string_member(image, "name"), string_member(image, "uri"), -1};
+  const auto view = image.find("bufferView");
+  if (view == image.end()) return result;
+  if (!view->is_number_unsigned()) refuse_gltf(document, place, "bufferView is not an index");
+  result.buffer_view = view->get<int>();
+  return result;
+}
+
+// tinygltf refuses indices whose accessor has no bufferView, which KHR_draco_mesh_compression calls for: such accessors
+// are lent one beyond the last, and lose it after parsing.
+int lend_views(json& root) {
+  if (!root.contains("bufferViews") || !root["bufferViews"].is_array()) root["bufferViews"] = json::array();
+  const int lent = static_cast<int>(root["bufferViews"].size());
+  root["bufferViews"].push_back({{"buffer", 0}, {"byteLength", 1}});
+  const auto accessors = root.find("accessors");
+  if (accessors == root.end() || !accessors->is_array()) return lent;
+  for (json& accessor : *accessors) {
+    if (accessor.is_object() && !accessor.contains("bufferView")) accessor["bufferView"] = lent;
+  }
+  return lent;
+}
+
+void take_views_back(tinygltf::Model& model, int lent) {
+  model.bufferViews.resize(static_cast<std::size_t>(lent));
+  for (tinygltf::Accessor& accessor : model.accessors) {
+    if (accessor.bufferView == lent) accessor.bufferView = -1;
+  }
+}
+
+/// The first line of what tinygltf has to say.
+std::string first_line(const std::string& text) {
+  return text.substr(0, text.find('\n'));
+}
+
+void parse_model(GltfDocument& document, json& root) {
+  const int lent = lend_views(root);
+  tinygltf::TinyGLTF parser;
+  parser.SetImageLoader(leave_image_encoded, nullptr);
+  std::string error;
+  std::string warning;
+  bool parsed = false;
+  try {
+    const std::string text = root.dump();
+    parsed = parser.LoadASCIIFromString(&document.model, &error, &warning, text.data(),
+                                        static_cast<unsigned int>(text.size()), document.directory);
+  } catch (const std::exception& failure) {
+    error = failure.what();
+  }
+  if (!parsed || !error.empty()) {
+    refuse_gltf(document, "", error.empty() ? "not a valid glTF file" : first_line(error));
+  }
+  take_views_back(document.model, lent);
+}
+
+bool has_binary_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".glb";
+}
+
+}  // namespace
+
+void refuse_gltf(const GltfDocument& document, const std::string& place, const std::string& what) {
+  throw Error(ErrorKind::refused, document.path + ": " + (place.empty() ? what : place + ": " + what));
+}
+
+void warn_gltf(GltfDocument& document, const std::string& place, const std::string& what) {
+  const std::string line = place.empty() ? what : place + ": " + what;
+  if (std::find(document.warnings.begin(), document.warnings.end(), line) == document.warnings.end()) {
+    document.warnings.push_back(line);
+  }
+}
+
+void unsupported_gltf(GltfDocument& document, const std::string& place, const std::string& what) {
+  if (document.strict) refuse_gltf(document, place, what);
+  warn_gltf(document, place, what);
+}
+
+GltfDocument read_gltf_document(const std::string& path, const LoadOptions& options) {
+  GltfDocument document;
+  document.path = path;
+  document.directory = std::filesystem::path(path).parent_path().string();
+  document.strict = options.strict;
+  const std::vector<std::byte> file = read_file_bytes(path, path, kMaxFileBytes);
+  const GltfContainer container = split_gltf_container(file, path, has_binary_extension(path));
+  GltfJson parsed = parse_gltf_json(container.json, path);
+
+  const json buffers = take_array(parsed.root, "buffers");
+  const json images = take_array(parsed.root, "images");
+  const bool is_animated = !take_array(parsed.root, "animations").empty();
+  parse_model(document, parsed.root);
+  check_gltf_extensions(document, parsed.extension_places);
+  if (is_animated) warn_gltf(document, "animations", "ignored, the default pose is shown");
+  for (std::size_t i = 0; i < images.size(); ++i) document.images.push_back(describe_image(document, images[i], i));
+  for (std::size_t i = 0; i < buffers.size(); ++i) {
+    document.buffers.push_back(load_buffer(document, buffers[i], i, container));
+  }
+  check_gltf_references(document);
+  return document;
+}
+
+std::span<const std::byte> gltf_view_bytes(const GltfDocument& document, int view, const std::string& place) {
+  const tinygltf::BufferView& buffer_view = document.model.bufferViews[static_cast<std::size_t>(view)];
+  const GltfBuffer& buffer = document.buffers[static_cast<std::size_t>(buffer_view.buffer)];
+  const std::string name = "bufferView " + std::to_string(view);
+  if (buffer.is_fallback) {
+    refuse_gltf(document, place, name + " reads buffer " + std::to_string(buffer_view.buffer) + ", which has no bytes");
+  }
+  const std::size_t size = buffer.bytes.size();
+  if (buffer_view.byteOffset > size || buffer_view.byteLength > size - buffer_view.byteOffset) {
+    refuse_gltf(
+        document, place,
+        name + " goes beyond the " + std::to_string(size) + " bytes of buffer " + std::to_string(buffer_view.buffer));
+  }
+  return std::span(buffer.bytes).subspan(buffer_view.byteOffset, buffer_view.byteLength);
+}
+
+}  // namespace vernier

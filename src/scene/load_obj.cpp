@@ -1,0 +1,49 @@
+#include "error.h"
+#include "scene/load_scene.h"
+#include "scene/obj_materials.h"
+#include "scene/obj_meshes.h"
+#include "scene/parse_obj.h"
+#include "scene/read_text.h"
+#include "scene/validate_scene.h"
+
+namespace vernier {
+namespace {
+
+// Index of each material that usemtl names, and of the one for faces without.
+struct MaterialChoice {
+  std::vector<std::uint32_t> by_name;
+  std::uint32_t none = 0;
+};
+
+MaterialChoice choose_materials(Scene& scene, const ObjGeometry& geometry,
+                                const std::map<std::string, std::uint32_t>& index_by_name) {
+  MaterialChoice choice;
+  choice.none = static_cast<std::uint32_t>(scene.materials.size());
+  scene.materials.push_back(default_obj_material());
+  for (const std::string& name : geometry.material_names) {
+    const auto found = index_by_name.find(name);
+    choice.by_name.push_back(found == index_by_name.end() ? choice.none : found->second);
+    if (found == index_by_name.end()) {
+      scene.warnings.push_back(scene.source + ": material " + name + " is in no material library and is shown grey");
+    }
+  }
+  return choice;
+}
+
+}  // namespace
+
+Scene load_obj(const std::string& path, const LoadOptions& options) {
+  Scene scene;
+  scene.source = path;
+  const ObjGeometry geometry = parse_obj(path, read_text(path));
+  if (geometry.shapes.empty()) throw Error(ErrorKind::refused, path + ": no faces");
+  for (const std::string& line : geometry.unsupported) warn_unsupported(scene, options, path + ": " + line);
+  for (const std::string& line : geometry.faults) scene.warnings.push_back(path + ": " + line);
+  const auto index_by_name = load_obj_materials(scene, path, geometry.material_libraries, options);
+  const MaterialChoice choice = choose_materials(scene, geometry, index_by_name);
+  add_obj_meshes(scene, geometry, choice.by_name, choice.none);
+  validate_scene(scene);
+  return scene;
+}
+
+}  // namespace vernier

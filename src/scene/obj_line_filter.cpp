@@ -1,0 +1,198 @@
+#include "scene/obj_line_filter.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "error.h"
+#include "scene/text_words.h"
+
+namespace vernier {
+namespace {
+
+// Reads as infinity in tinyobjloader, which validate_scene finds.
+constexpr std::string_view kInfinity = "1e999";
+// Longer indices do not fit an int.
+constexpr std::size_t kIndexDigits = 9;
+// No model has more; each is a file to open.
+constexpr std::size_t kMaxLibraries = 256;
+// Statements that only ask for display or tessellation habits and change nothing about polygons.
+constexpr std::array<std::string_view, 8> kSilentKeywords = {"bevel", "c_interp",   "d_interp",  "lod",
+                                                             "mg",    "shadow_obj", "trace_obj", "ctech"};
+
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+bool is_plain_number(std::string_view word) {
+  bool has_digit = false;
+  for (const char c : word) {
+    has_digit |= is_digit(c);
+    if (!is_digit(c) && c != '.' && c != '-' && c != '+' && c != 'e' && c != 'E') return false;
+  }
+  return has_digit && (is_digit(word[0]) || word[0] == '.' || word[0] == '-' || word[0] == '+');
+}
+
+// nan, -inf, -nan(ind), 1.#QNAN and the like.
+bool is_non_finite(std::string_view word) {
+  if (word.find('#') != std::string_view::npos) return is_digit(word[0]) || word[0] == '-';
+  const std::size_t sign = word[0] == '-' || word[0] == '+' ? 1 : 0;
+  std::string head(word.substr(sign, 3));
+  std::ranges::transform(head, head.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
+  return head == "nan" || head == "inf";
+}
+
+// i, i/j, i//k or i/j/k, with empty parts at the end left out; empty where it is none of them.
+std::string_view face_corner(std::string_view word) {
+  while (!word.empty() && word.back() == '/') word.remove_suffix(1);
+  std::size_t digits = 0;
+  std::size_t slashes = 0;
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    const bool starts = i == 0 || word[i - 1] == '/';
+    if (is_digit(word[i])) {
+      if (++digits > kIndexDigits) return {};
+    } else if (word[i] == '/') {
+      digits = 0;
+      if (++slashes > 2) return {};
+    } else if (!(starts && (word[i] == '-' || word[i] == '+'))) {
+      return {};
+    }
+  }
+  return !word.empty() && word[0] != '/' && is_digit(word.back()) ? word : std::string_view{};
+}
+
+std::string quoted(std::string_view word) {
+  constexpr std::size_t kLongest = 40;
+  std::string shown = "'";
+  for (const char c : word.substr(0, kLongest)) shown += c >= ' ' && c <= '~' ? c : '?';
+  return shown + "'";
+}
+
+}  // namespace
+
+ObjLineFilter::ObjLineFilter(std::string file, std::string text) : file_(std::move(file)), text_(std::move(text)) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text_.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
+}
+
+int ObjLineFilter::underflow() {
+  out_.clear();
+  while (out_.empty() && position_ < text_.size()) write(next_line());
+  if (out_.empty()) return traits_type::eof();
+  setg(out_.data(), out_.data(), out_.data() + out_.size());
+  return traits_type::to_int_type(out_[0]);
+}
+
+std::string_view ObjLineFilter::next_line() {
+  joined_.clear();
+  for (;;) {
+    const std::size_t start = position_;
+    const std::size_t end = std::min(text_.find_first_of("\n\r", start), text_.size());
+    const bool crlf = text_.compare(end, 2, "\r\n") == 0;
+    position_ = std::min(end + (crlf ? 2 : 1), text_.size());
+    ++line_;
+    const std::string_view part = trimmed(std::string_view(text_).substr(start, end - start));
+    const bool goes_on = part.ends_with('\\') && position_ < text_.size();
+    if (!goes_on && joined_.empty()) return part;
+    joined_ += goes_on ? part.substr(0, part.size() - 1) : part;
+    if (!goes_on) return joined_;
+    joined_ += ' ';
+  }
+}
+
+void ObjLineFilter::write(std::string_view line) {
+  std::string_view rest = line;
+  const std::string_view keyword = take_word(rest);
+  if (keyword.empty() || keyword[0] == '#') return;
+  if (keyword == "v" || keyword == "vn" || keyword == "vt") {
+    write_vertex(line, keyword, rest);
+  } else if (keyword == "f" || keyword == "fo") {
+    write_face(rest);
+  } else if (keyword == "usemtl") {
+    write_material(rest);
+  } else if (keyword == "mtllib") {
+    keep_libraries(rest);
+  } else if (keyword == "g" || keyword == "o" || keyword == "s") {
+    // Exporters write `s on` for group 1. A NUL would end the line early.
+    out_.append(keyword).append(" ").append(keyword == "s" && rest == "on" ? "1" : rest);
+    std::ranges::replace(out_, '\0', '?');
+    out_ += '\n';
+  } else if (keyword == "l" || keyword == "p") {
+    if (statements_.thin_element_count++ == 0) statements_.thin_element_line = line_;
+  } else if (std::ranges::find(kSilentKeywords, keyword) == kSilentKeywords.end()) {
+    keep_unknown(keyword);
+  }
+}
+
+void ObjLineFilter::write_vertex(std::string_view line, std::string_view keyword, std::string_view rest) {
+  const std::size_t least = keyword == "vt" ? 1 : 3;
+  out_.append(keyword);
+  std::size_t count = 0;
+  for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
+    const bool plain = is_plain_number(word);
+    if (!plain && word[0] == '#') break;
+    if (!plain && !is_non_finite(word)) refuse(quoted(word) + " is not a number");
+    out_.append(" ").append(plain ? word : kInfinity);
+    ++count;
+  }
+  if (count < least) refuse(quoted(line) + " has fewer than " + std::to_string(least) + " numbers");
+  out_ += '\n';
+}
+
+void ObjLineFilter::write_face(std::string_view rest) {
+  out_ += 'f';
+  std::uint32_t count = 0;
+  for (std::string_view word = take_word(rest); !word.empty() && word[0] != '#'; word = take_word(rest)) {
+    const std::string_view corner = face_corner(word);
+    if (corner.empty()) refuse(quoted(word) + " is not a corner of a face");
+    out_.append(" ").append(corner);
+    ++count;
+  }
+  out_ += '\n';
+  if (count < 3) {
+    out_.clear();
+    if (statements_.short_face_count++ == 0) statements_.short_face_line = line_;
+    return;
+  }
+  statements_.face_lines.push_back(static_cast<std::uint32_t>(line_));
+  statements_.face_corner_counts.push_back(count);
+}
+
+void ObjLineFilter::write_material(std::string_view name) {
+  auto known = material_ids_.find(name);
+  if (known == material_ids_.end()) {
+    known = material_ids_.emplace(std::string(name), statements_.material_names.size()).first;
+    statements_.material_names.emplace_back(name);
+    // The loader's material reader turns this number into a name that usemtl can find.
+    out_.append("mtllib ").append(std::to_string(known->second)).append("\n");
+  }
+  out_.append("usemtl ").append(std::to_string(known->second)).append("\n");
+}
+
+void ObjLineFilter::keep_libraries(std::string_view rest) {
+  if (rest.empty()) return;
+  std::vector<std::string>& libraries = statements_.material_libraries;
+  const auto keep = [&](std::string_view name) {
+    if (std::ranges::find(libraries, name) != libraries.end()) return;
+    if (libraries.size() == kMaxLibraries) refuse("more than " + std::to_string(kMaxLibraries) + " material libraries");
+    libraries.emplace_back(name);
+  };
+  // Several libraries, or one name with spaces: what ends in .mtl ends a name.
+  std::size_t start = 0;
+  for (std::size_t i = 0; i <= rest.size(); ++i) {
+    if (i < rest.size() && kBlanks.find(rest[i]) == std::string_view::npos) continue;
+    const std::string_view name = trimmed(rest.substr(start, i - start));
+    if (i < rest.size() && !name.ends_with(".mtl") && !name.ends_with(".MTL")) continue;
+    if (!name.empty()) keep(name);
+    start = i;
+  }
+}
+
+void ObjLineFilter::keep_unknown(std::string_view keyword) {
+  if (statements_.unknown_keywords.size() >= kUnknownKeywordCount) return;
+  statements_.unknown_keywords.emplace(quoted(keyword), line_);
+}
+
+void ObjLineFilter::refuse(const std::string& what) const {
+  throw Error(ErrorKind::refused, file_ + ": line " + std::to_string(line_) + ": " + what);
+}
+
+}  // namespace vernier

@@ -1,0 +1,153 @@
+#include "scene/obj_materials.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "error.h"
+#include "scene/read_text.h"
+
+namespace vernier {
+namespace {
+
+constexpr glm::dvec3 kBlack(0.0);
+constexpr glm::dvec3 kWhite(1.0);
+constexpr glm::dvec3 kDefaultDiffuse(0.8);  // a light clay, as most viewers show
+constexpr double kDefaultExponent = 10.0;   // a wide highlight, as of matt plastic
+constexpr double kDefaultIor = 1.5;         // window glass
+
+const MtlTexture& map_of(const MtlMaterial& source, MtlMap map) { return source.maps[static_cast<std::size_t>(map)]; }
+bool has_map(const MtlMaterial& source, MtlMap map) { return !map_of(source, map).file.empty(); }
+
+// Large values become the largest float, so that no product with a texture starts from infinity.
+float finite_float(double value) { return static_cast<float>(std::clamp(value, -1e30, 1e30)); }
+glm::vec3 finite_floats(const glm::dvec3& v) { return {finite_float(v.x), finite_float(v.y), finite_float(v.z)}; }
+
+glm::dvec3 color_or_map(const std::optional<glm::dvec3>& color, const MtlMaterial& source, MtlMap map,
+                        const glm::dvec3& absent) {
+  return color.value_or(has_map(source, map) ? kWhite : absent);
+}
+
+bool ambient_is_diffuse(const MtlMaterial& source) {
+  return !source.ambient || *source.ambient == kWhite || source.ambient == source.diffuse;
+}
+
+int illumination_of(const MtlMaterial& source, const std::string& place, std::vector<std::string>& warnings) {
+  const bool shiny = source.specular.value_or(kBlack) != kBlack && source.exponent.value_or(0.0) > 0.0;
+  const int absent = shiny ? 2 : 1;
+  const int model = source.illumination.value_or(absent);
+  if (model >= 0 && model <= 9) return model;
+  warnings.push_back(place + ": illumination model " + std::to_string(model) + " is shown as " + std::to_string(absent));
+  return absent;
+}
+
+bool is_mirror(int illumination) { return illumination == 3 || illumination == 5 || illumination == 8; }
+bool is_glass(int illumination) { return illumination == 4 || illumination == 6 || illumination == 7 || illumination == 9; }
+
+void make_glass(Material& material, const MtlMaterial& source, double opacity, const std::string& place,
+                std::vector<std::string>& warnings) {
+  material.thin_walled = false;
+  material.transmission = finite_floats(source.transmission.value_or(kWhite));
+  if (!source.transmission && opacity < 1.0) {
+    material.transmission = glm::vec3(finite_float(1.0 - opacity));
+    material.base_color *= glm::vec4(glm::vec3(finite_float(opacity)), 1.0f);
+  }
+  if (!(source.ior.value_or(0.0) > 0.0)) {
+    warnings.push_back(place + ": glass without an index of refraction above 0 (Ni); 1.5 is taken");
+  }
+}
+
+}  // namespace
+
+void warn_unsupported(Scene& scene, const LoadOptions& options, const std::string& line) {
+  if (options.strict) throw Error(ErrorKind::refused, line);
+  scene.warnings.push_back(line);
+}
+
+Material default_obj_material() {
+  std::vector<std::string> none;
+  Material material = blinn_material({.name = "default"}, "", none);
+  return material;
+}
+
+Material blinn_material(const MtlMaterial& source, const std::string& place, std::vector<std::string>& warnings) {
+  const int illumination = illumination_of(source, place, warnings);
+  const glm::dvec3 diffuse = color_or_map(source.diffuse, source, MtlMap::diffuse, kDefaultDiffuse);
+  const glm::dvec3 specular = color_or_map(source.specular, source, MtlMap::specular, kBlack);
+  const double opacity = std::clamp(source.opacity.value_or(1.0), 0.0, 1.0);
+  Material material;
+  material.name = source.name;
+  material.workflow = Workflow::blinn;
+  material.base_color = glm::vec4(finite_floats(diffuse), 1.0f);
+  material.specular = illumination >= 2 ? finite_floats(specular) : glm::vec3(0.0f);
+  material.exponent = finite_float(std::max(source.exponent.value_or(kDefaultExponent), 0.0));
+  material.emission = finite_floats(color_or_map(source.emission, source, MtlMap::emission, kBlack));
+  material.ambient = ambient_is_diffuse(source) ? finite_floats(diffuse) : finite_floats(*source.ambient);
+  material.ior = finite_float(source.ior.value_or(0.0) > 0.0 ? std::max(*source.ior, 1e-6) : kDefaultIor);
+  material.unlit = illumination == 0;
+  material.fresnel_reflection = illumination >= 4 && illumination != 6 && illumination != 8;
+  if (is_mirror(illumination) || is_glass(illumination)) {
+    material.reflection = glm::min(finite_floats(specular), glm::vec3(1.0f));
+  }
+  if (is_mirror(illumination) && specular == kBlack) material.fresnel_reflection = false;
+  if (is_glass(illumination)) {
+    make_glass(material, source, opacity, place, warnings);
+  } else {
+    material.base_color.a = static_cast<float>(opacity);
+    if (opacity < 1.0) material.alpha_mode = AlphaMode::blend;
+  }
+  if (has_map(source, MtlMap::dissolve)) material.alpha_mode = AlphaMode::blend;
+  return material;
+}
+
+namespace {
+
+void add_textures(Scene& scene, ObjTextures& textures, Material& material, const MtlMaterial& source,
+                  const std::string& folder) {
+  const auto use = [&](MtlMap map, MtlMapUse as) { return use_obj_texture(scene, textures, map_of(source, map), as, folder); };
+  std::array<TextureUse, TEXTURE_SLOT_COUNT>& slots = material.textures;
+  slots[TEXTURE_SLOT_BASE_COLOR] = use(MtlMap::diffuse, MtlMapUse::color);
+  slots[TEXTURE_SLOT_EMISSION] = use(MtlMap::emission, MtlMapUse::color);
+  slots[TEXTURE_SLOT_SURFACE] = use(MtlMap::specular, MtlMapUse::color);
+  slots[TEXTURE_SLOT_SPECULAR] = use(MtlMap::exponent, MtlMapUse::scalar);
+  slots[TEXTURE_SLOT_ALPHA] = use(MtlMap::dissolve, MtlMapUse::scalar);
+  slots[TEXTURE_SLOT_SPECULAR_COLOR] = use(MtlMap::ambient, MtlMapUse::color);
+  // Where Ka stands for Kd it takes the picture along.
+  if (!has_map(source, MtlMap::ambient) && ambient_is_diffuse(source)) {
+    slots[TEXTURE_SLOT_SPECULAR_COLOR] = slots[TEXTURE_SLOT_BASE_COLOR];
+  }
+  slots[TEXTURE_SLOT_NORMAL] = use(MtlMap::normal, MtlMapUse::normal);
+  if (slots[TEXTURE_SLOT_NORMAL].texture < 0) slots[TEXTURE_SLOT_NORMAL] = use(MtlMap::bump, MtlMapUse::height);
+}
+
+std::string folder_of(const std::string& path) { return path.substr(0, path.find_last_of('/') + 1); }
+
+}  // namespace
+
+std::map<std::string, std::uint32_t> load_obj_materials(Scene& scene, const std::string& obj_path,
+                                                        const std::vector<std::string>& libraries,
+                                                        const LoadOptions& options) {
+  std::map<std::string, std::uint32_t> index_by_name;
+  ObjTextures textures{folder_of(obj_path), {}};
+  for (std::string name : libraries) {
+    std::ranges::replace(name, '\\', '/');
+    std::string path = name.starts_with('/') ? name : textures.obj_folder + name;
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) path = textures.obj_folder + name.substr(name.find_last_of('/') + 1);
+    if (!std::filesystem::is_regular_file(path, ignored)) {
+      scene.warnings.push_back(obj_path + ": material library " + name + " is not there; its materials are grey");
+      continue;
+    }
+    const MtlLibrary library = parse_mtl(read_text(path));
+    for (const std::string& line : library.unsupported) warn_unsupported(scene, options, path + ": " + line);
+    for (const std::string& line : library.faults) scene.warnings.push_back(path + ": " + line);
+    for (const MtlMaterial& source : library.materials) {
+      if (!index_by_name.try_emplace(source.name, static_cast<std::uint32_t>(scene.materials.size())).second) continue;
+      scene.materials.push_back(blinn_material(source, path + ": material " + source.name, scene.warnings));
+      add_textures(scene, textures, scene.materials.back(), source, folder_of(path));
+    }
+  }
+  return index_by_name;
+}
+
+}  // namespace vernier

@@ -1,0 +1,76 @@
+#include "scene/obj_textures.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <vector>
+
+#include "error.h"
+#include "scene/height_map.h"
+#include "scene/texture_from_image.h"
+
+namespace vernier {
+namespace {
+
+std::string image_path(const ObjTextures& textures, const MtlTexture& map, const std::string& mtl_folder) {
+  std::string name = map.file;
+  std::ranges::replace(name, '\\', '/');
+  const std::string bare = name.substr(name.find_last_of('/') + 1);
+  const bool absolute = name.starts_with('/') || name.find(":/") != std::string::npos;
+  std::vector<std::string> candidates;
+  if (absolute) candidates.push_back(name);
+  for (const std::string& tail : {name, bare}) {
+    candidates.push_back(mtl_folder + tail);
+    candidates.push_back(textures.obj_folder + tail);
+  }
+  for (const std::string& candidate : candidates) {
+    std::error_code ignored;
+    if (std::filesystem::is_regular_file(candidate, ignored)) return candidate;
+  }
+  return mtl_folder + name;
+}
+
+std::shared_ptr<const Texels> load_texels(const std::string& path, const MtlTexture& map, MtlMapUse use,
+                                          std::uint32_t wrap) {
+  const auto encoding = use == MtlMapUse::color ? TexelEncoding::srgb : TexelEncoding::linear;
+  std::shared_ptr<const Texels> texels = decode_texels_from_file(path, encoding);
+  if (use == MtlMapUse::scalar) return std::make_shared<const Texels>(scalar_map(*texels, map.channel));
+  if (use != MtlMapUse::height) return texels;
+  const Texels heights = scalar_map(*texels, map.channel == '\0' ? 'l' : map.channel);
+  return std::make_shared<const Texels>(normals_from_heights(heights, map.bump_multiplier, wrap));
+}
+
+std::string key_of(const std::string& path, const MtlTexture& map, MtlMapUse use) {
+  std::string key = path + '\n' + std::to_string(static_cast<int>(use)) + (map.clamp ? 'c' : 'r');
+  if (use == MtlMapUse::scalar || use == MtlMapUse::height) key += map.channel;
+  if (use == MtlMapUse::height) key += std::to_string(map.bump_multiplier);
+  return key;
+}
+
+int load_texture(Scene& scene, const std::string& path, const MtlTexture& map, MtlMapUse use) {
+  const std::uint32_t wrap = map.clamp ? TEXTURE_WRAP_CLAMP : TEXTURE_WRAP_REPEAT;
+  try {
+    scene.textures.push_back({map.file, {wrap, wrap, TEXTURE_FILTER_LINEAR}, load_texels(path, map, use, wrap)});
+  } catch (const Error& error) {
+    scene.warnings.push_back(std::string(error.what()) + "; the material goes without this texture");
+    return -1;
+  }
+  return static_cast<int>(scene.textures.size()) - 1;
+}
+
+}  // namespace
+
+TextureUse use_obj_texture(Scene& scene, ObjTextures& textures, const MtlTexture& map, MtlMapUse use,
+                           const std::string& mtl_folder) {
+  TextureUse result;
+  if (map.file.empty()) return result;
+  const std::string path = image_path(textures, map, mtl_folder);
+  const auto [known, is_new] = textures.texture_by_key.try_emplace(key_of(path, map, use), -1);
+  if (is_new) known->second = load_texture(scene, path, map, use);
+  result.texture = known->second;
+  // With V = 1 - v: v' = 1 - (V scale + offset).
+  result.uv_from_vertex_uv = glm::mat3x2(float(map.scale.x), 0.0f, 0.0f, float(map.scale.y), float(map.offset.x),
+                                         float(1.0 - map.scale.y - map.offset.y));
+  return result;
+}
+
+}  // namespace vernier

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "scene/parse_mtl.h"
+#include "scene/scene.h"
+
+namespace vernier {
+
+/// What the texels of an MTL map are turned into.
+enum class MtlMapUse {
+  color,   ///< sRGB colours as they are
+  scalar,  ///< one channel, linear
+  height,  ///< heights to a normal map
+  normal   ///< a normal map as it is
+};
+
+/// Textures of one OBJ file, each decoded once. Key: file, use, sampler and the options that change texels.
+struct ObjTextures {
+  std::string obj_folder;  ///< folder of the OBJ file, empty or with a slash at its end
+  std::map<std::string, int> texture_by_key;
+};
+
+/// Adds the texture of `map` to `scene`, or finds it again, and says how it is looked up: uv' = uv scale + offset in
+/// MTL's upward v, converted to downward v. Clamping with -clamp on.
+/// The file is sought in `mtl_folder`, then in the folder of the OBJ, then by its bare name in both: models travel with
+/// paths of the machine they were made on. Backslashes are slashes.
+/// A missing or broken image is a warning of `scene` and no texture (-1), told once. No map: no texture.
+TextureUse use_obj_texture(Scene& scene, ObjTextures& textures, const MtlTexture& map, MtlMapUse use,
+                           const std::string& mtl_folder);
+
+}  // namespace vernier

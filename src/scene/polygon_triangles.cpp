@@ -1,0 +1,148 @@
+#include "scene/polygon_triangles.h"
+
+#include <algorithm>
+
+namespace vernier {
+namespace {
+
+// A polygon that needs more point tests than this per corner is not simple or is made to stall: the rest is cut unchecked.
+constexpr std::size_t kTestsPerCorner = 8192;
+
+// Normal of a polygon whose length is twice its area (Newell's method), about the first corner to keep far ones exact.
+glm::dvec3 newell_normal(std::span<const glm::dvec3> corners) {
+  glm::dvec3 normal(0.0);
+  for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+    normal += glm::cross(corners[i] - corners[0], corners[i + 1] - corners[0]);
+  }
+  return normal;
+}
+
+// The polygon seen along the largest component of its normal, counter-clockwise.
+std::vector<glm::dvec2> project(std::span<const glm::dvec3> corners) {
+  const glm::dvec3 normal = newell_normal(corners);
+  const glm::dvec3 size = glm::abs(normal);
+  const int drop = size.x > size.y && size.x > size.z ? 0 : (size.y > size.z ? 1 : 2);
+  const int u = (drop + 1) % 3;
+  const int v = (drop + 2) % 3;
+  const double sign = normal[drop] < 0.0 ? -1.0 : 1.0;
+  std::vector<glm::dvec2> flat;
+  flat.reserve(corners.size());
+  for (const glm::dvec3& corner : corners) {
+    const glm::dvec3 local = corner - corners[0];
+    flat.emplace_back(sign * local[u], local[v]);
+  }
+  return flat;
+}
+
+// Twice the signed area: positive for a left turn.
+double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
+  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+}
+
+class EarClipper {
+ public:
+  explicit EarClipper(std::span<const glm::dvec3> corners)
+      : flat_(project(corners)), previous_(flat_.size()), next_(flat_.size()), remaining_(flat_.size()) {
+    const auto count = static_cast<std::uint32_t>(flat_.size());
+    for (std::uint32_t i = 0; i < count; ++i) {
+      previous_[i] = (i + count - 1) % count;
+      next_[i] = (i + 1) % count;
+    }
+    for (std::uint32_t i = 0; i < count; ++i) {
+      if (corner_turn(i) < 0.0) reflex_.push_back(i);
+    }
+  }
+
+  bool convex() const { return reflex_.empty(); }
+
+  void clip(std::vector<PolygonTriangle>& triangles) {
+    std::uint32_t corner = 0;
+    std::size_t refused = 0;
+    while (remaining_ >= 3) {
+      // A round without an ear: straight corners may go too. Another one: the polygon is not simple, cut anywhere.
+      const bool give_up = refused >= 2 * remaining_ || budget_ == 0;
+      if (!give_up && !is_ear(corner, refused >= remaining_)) {
+        corner = next_[corner];
+        ++refused;
+        continue;
+      }
+      triangles.push_back({previous_[corner], corner, next_[corner]});
+      // Going on two corners further keeps the triangles from becoming a fan of slivers.
+      corner = next_[remove(corner)];
+      refused = 0;
+    }
+  }
+
+ private:
+  double corner_turn(std::uint32_t i) const { return turn(flat_[previous_[i]], flat_[i], flat_[next_[i]]); }
+
+  bool is_ear(std::uint32_t corner, bool straight_allowed) {
+    const double bend = corner_turn(corner);
+    if (!(bend > 0.0 || (straight_allowed && bend == 0.0))) return false;
+    const glm::dvec2 a = flat_[previous_[corner]];
+    const glm::dvec2 b = flat_[corner];
+    const glm::dvec2 c = flat_[next_[corner]];
+    budget_ -= std::min(budget_, reflex_.size());
+    // Where any corner lies inside, a reflex one does.
+    for (const std::uint32_t i : reflex_) {
+      const glm::dvec2 p = flat_[i];
+      if (p == a || p == b || p == c) continue;  // the corners themselves, and twins of theirs in a bridge
+      if (turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0) return false;
+    }
+    return true;
+  }
+
+  // Takes the corner out and returns its successor.
+  std::uint32_t remove(std::uint32_t corner) {
+    const std::uint32_t after = next_[corner];
+    next_[previous_[corner]] = after;
+    previous_[after] = previous_[corner];
+    next_[corner] = corner;
+    --remaining_;
+    std::erase_if(reflex_, [&](std::uint32_t i) { return next_[i] == i || !(corner_turn(i) < 0.0); });
+    return after;
+  }
+
+  std::vector<glm::dvec2> flat_;
+  std::vector<std::uint32_t> previous_;
+  std::vector<std::uint32_t> next_;  // of itself: cut off
+  std::vector<std::uint32_t> reflex_;
+  std::size_t remaining_;
+  std::size_t budget_ = kTestsPerCorner * flat_.size();
+};
+
+bool cut_from_first_corner(std::span<const glm::dvec3> quad) {
+  const glm::dvec3 normal = newell_normal(quad);
+  const auto bends_in = [&](std::size_t i) {
+    const glm::dvec3 before = quad[i] - quad[(i + 3) % 4];
+    const glm::dvec3 after = quad[(i + 1) % 4] - quad[i];
+    return glm::dot(glm::cross(before, after), normal) < 0.0;
+  };
+  if (bends_in(0) || bends_in(2)) return true;
+  if (bends_in(1) || bends_in(3)) return false;
+  const glm::dvec3 first = quad[2] - quad[0];
+  const glm::dvec3 second = quad[3] - quad[1];
+  return !(glm::dot(second, second) < glm::dot(first, first));
+}
+
+}  // namespace
+
+void append_polygon_triangles(std::span<const glm::dvec3> corners, std::vector<PolygonTriangle>& triangles) {
+  if (corners.size() < 3) return;
+  if (corners.size() == 4) {
+    const bool from_first = cut_from_first_corner(corners);
+    triangles.push_back(from_first ? PolygonTriangle{0, 1, 2} : PolygonTriangle{0, 1, 3});
+    triangles.push_back(from_first ? PolygonTriangle{0, 2, 3} : PolygonTriangle{1, 2, 3});
+    return;
+  }
+  if (corners.size() > 4) {
+    EarClipper clipper(corners);
+    if (!clipper.convex()) {
+      clipper.clip(triangles);
+      return;
+    }
+  }
+  for (std::uint32_t i = 1; i + 1 < corners.size(); ++i) triangles.push_back({0, i, i + 1});
+}
+
+}  // namespace vernier

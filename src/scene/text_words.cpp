@@ -1,0 +1,35 @@
+#include "scene/text_words.h"
+
+#include <algorithm>
+
+namespace vernier {
+
+std::string_view trimmed(std::string_view text) {
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+std::string_view take_word(std::string_view& text) {
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) {
+    text = {};
+    return {};
+  }
+  const std::size_t end = text.find_first_of(kBlanks, first);
+  const std::string_view word = text.substr(first, end == std::string_view::npos ? end : end - first);
+  text = end == std::string_view::npos ? std::string_view{} : text.substr(end);
+  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+  return word;
+}
+
+std::string_view take_last_word(std::string_view& text) {
+  text = trimmed(text);
+  const std::size_t before = text.find_last_of(kBlanks);
+  const std::size_t first = before == std::string_view::npos ? 0 : before + 1;
+  const std::string_view word = text.substr(first);
+  text = trimmed(text.substr(0, first));
+  return word;
+}
+
+}  // namespace vernier

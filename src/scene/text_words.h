@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string_view>
+
+namespace vernier {
+
+/// Blank inside a line of OBJ and MTL.
+inline constexpr std::string_view kBlanks = " \t\r\v\f";
+
+/// `text` without blanks at both ends.
+std::string_view trimmed(std::string_view text);
+
+/// Cuts the first blank-separated word off `text` and returns it; both empty at the end. `text` loses blanks at its start.
+std::string_view take_word(std::string_view& text);
+
+/// Cuts the last blank-separated word off `text` and returns it; empty at the end.
+std::string_view take_last_word(std::string_view& text);
+
+}  // namespace vernier

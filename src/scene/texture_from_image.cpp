@@ -1,0 +1,179 @@
+#include "scene/texture_from_image.h"
+
+#include <OpenImageIO/filesystem.h>
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <fstream>
+#include <string_view>
+#include <vector>
+
+#include "error.h"
+
+namespace vernier {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+  throw Error(ErrorKind::refused, name + ": " + what);
+}
+
+std::string one_line(std::string text) {
+  for (char& c : text) {
+    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
+  }
+  while (!text.empty() && text.back() == ' ') text.pop_back();
+  return text.empty() ? "unknown format" : text;
+}
+
+void check_size(const OIIO::ImageSpec& spec, const std::string& name) {
+  if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels <= 0) {
+    refuse(name, "not an image of width, height and channels above zero");
+  }
+  if (spec.width > kMaxTextureSide_px || spec.height > kMaxTextureSide_px ||
+      std::uint64_t(spec.width) * std::uint64_t(spec.height) > kMaxTexels) {
+    refuse(name, std::to_string(spec.width) + "x" + std::to_string(spec.height) + " texels are more than " +
+                     std::to_string(kMaxTexels) + " or a side is longer than " + std::to_string(kMaxTextureSide_px));
+  }
+}
+
+/// Where red, green, blue and alpha lie among `count` channels; -1: opaque.
+std::array<int, 4> channel_order(int count) {
+  switch (count) {
+    case 1:
+      return {0, 0, 0, -1};
+    case 2:
+      return {0, 0, 0, 1};
+    case 3:
+      return {0, 1, 2, -1};
+    default:
+      return {0, 1, 2, 3};
+  }
+}
+
+/// IEC 61966-2-1.
+float linear_from_srgb(float value) {
+  return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
+}
+
+// Rows are read one at a time: the only large allocation is the result, whose size has been checked. The reader of
+// a format without scanlines (tiled EXR, TIFF) is asked for the whole image instead.
+template <typename T, typename StoreTexel>
+void read_texels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std::string& name, StoreTexel store) {
+  const std::size_t channels = std::size_t(spec.nchannels > 4 ? 4 : spec.nchannels);
+  const auto type = OIIO::BaseTypeFromC<T>::value;
+  const int band_rows = spec.tile_width > 0 ? std::clamp(spec.tile_height, 1, spec.height) : 1;
+  std::vector<T> band(std::size_t(spec.width) * std::size_t(band_rows) * channels);
+  for (int row = 0; row < spec.height; row += band_rows) {
+    const int end = std::min(row + band_rows, spec.height);
+    const bool ok = spec.tile_width > 0 ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + row,
+                                                           spec.y + end, 0, 1, 0, int(channels), type, band.data())
+                                        : input.read_scanlines(0, 0, spec.y + row, spec.y + end, 0, 0, int(channels),
+                                                               type, band.data());
+    if (!ok) refuse(name, "the image cannot be read: " + one_line(input.geterror()));
+    const std::size_t first = std::size_t(row) * std::size_t(spec.width);
+    const std::size_t count = std::size_t(end - row) * std::size_t(spec.width);
+    for (std::size_t i = 0; i < count; ++i) store(first + i, band.data() + i * channels);
+  }
+}
+
+void read_bytes(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std::string& name, Texels& texels) {
+  const std::array<int, 4> order = channel_order(spec.nchannels);
+  texels.words.resize(std::size_t(spec.width) * std::size_t(spec.height));
+  read_texels<std::uint8_t>(input, spec, name, [&](std::size_t texel, const std::uint8_t* values) {
+    std::uint32_t word = 0;
+    for (std::size_t c = 0; c < 4; ++c) {
+      const std::uint32_t value = order[c] < 0 ? 255u : values[order[c]];
+      word |= value << (8 * c);
+    }
+    texels.words[texel] = word;
+  });
+}
+
+void read_floats(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std::string& name, bool decode_srgb,
+                 Texels& texels) {
+  const std::array<int, 4> order = channel_order(spec.nchannels);
+  texels.format = TEXTURE_FORMAT_FLOAT;
+  texels.words.resize(std::size_t(spec.width) * std::size_t(spec.height) * 4);
+  read_texels<float>(input, spec, name, [&](std::size_t texel, const float* values) {
+    for (std::size_t c = 0; c < 4; ++c) {
+      float value = order[c] < 0 ? 1.0f : values[order[c]];
+      if (!std::isfinite(value)) value = 0.0f;
+      if (decode_srgb && c < 3) value = linear_from_srgb(value);
+      texels.words[texel * 4 + c] = std::bit_cast<std::uint32_t>(value);
+    }
+  });
+}
+
+bool begins_with(std::span<const std::byte> encoded, std::string_view bytes, std::size_t offset = 0) {
+  return encoded.size() >= offset + bytes.size() &&
+         std::memcmp(encoded.data() + offset, bytes.data(), bytes.size()) == 0;
+}
+
+// OpenImageIO picks the reader of an image in memory by a file name, so the content is looked at here.
+// TGA has no signature at its start: it is recognised by the extension of its name alone.
+std::string extension_of(std::span<const std::byte> encoded, const std::string& name) {
+  using namespace std::string_view_literals;
+  if (begins_with(encoded, "\x89PNG"sv)) return "png";
+  if (begins_with(encoded, "\xff\xd8\xff"sv)) return "jpg";
+  if (begins_with(encoded, "RIFF"sv) && begins_with(encoded, "WEBP"sv, 8)) return "webp";
+  if (begins_with(encoded, "BM"sv)) return "bmp";
+  if (begins_with(encoded, "#?"sv)) return "hdr";
+  if (begins_with(encoded, "\x76\x2f\x31\x01"sv)) return "exr";
+  if (begins_with(encoded, "II*\0"sv) || begins_with(encoded, "MM\0*"sv)) return "tif";
+  if (begins_with(encoded, "GIF8"sv)) return "gif";
+  if (begins_with(encoded, "8BPS"sv)) return "psd";
+  if (begins_with(encoded, "DDS "sv)) return "dds";
+  const std::size_t dot = name.find_last_of("./");
+  return dot != std::string::npos && name[dot] == '.' ? name.substr(dot + 1) : "tga";
+}
+
+}  // namespace
+
+std::shared_ptr<const Texels> decode_texels(std::span<const std::byte> encoded, const std::string& name,
+                                            TexelEncoding encoding) {
+  if (encoded.empty()) refuse(name, "the image is empty");
+  OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(encoded.data()), encoded.size());
+  OIIO::ImageSpec config;
+  config.attribute("oiio:UnassociatedAlpha", 1);
+  // The reader's own parameter is ignored by OpenImageIO 2.4.7 where there is a configuration too.
+  OIIO::Filesystem::IOProxy* proxy = &memory;
+  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
+  const std::unique_ptr<OIIO::ImageInput> input =
+      OIIO::ImageInput::open("texture." + extension_of(encoded, name), &config);
+  if (!input) {
+    OIIO::geterror();  // empties OpenImageIO's queue of messages
+    refuse(name, "not an image in a format that can be read");
+  }
+  const OIIO::ImageSpec spec = input->spec();
+  check_size(spec, name);
+
+  auto texels = std::make_shared<Texels>();
+  texels->width = std::uint32_t(spec.width);
+  texels->height = std::uint32_t(spec.height);
+  const bool is_float = spec.format.is_floating_point();
+  if (!is_float && spec.format.size() == 1) {
+    texels->format = encoding == TexelEncoding::srgb ? TEXTURE_FORMAT_SRGB8 : TEXTURE_FORMAT_LINEAR8;
+    read_bytes(*input, spec, name, *texels);
+  } else {
+    read_floats(*input, spec, name, !is_float && encoding == TexelEncoding::srgb, *texels);
+  }
+  return texels;
+}
+
+std::shared_ptr<const Texels> decode_texels_from_file(const std::string& path, TexelEncoding encoding) {
+  std::ifstream file(path, std::ios::binary | std::ios::ate);
+  if (!file) refuse(path, "the file cannot be opened");
+  const std::streamoff size = file.tellg();
+  // A directory opens as a stream of nonsense size; a true image file is far below what is checked here.
+  if (size < 0 || std::uint64_t(size) > kMaxTexels * 16) refuse(path, "not a readable image file");
+  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+  file.seekg(0);
+  if (!file.read(reinterpret_cast<char*>(bytes.data()), size)) refuse(path, "the file cannot be read");
+  return decode_texels(bytes, path, encoding);
+}
+
+}  // namespace vernier
