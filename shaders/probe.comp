@@ -30,10 +30,10 @@ void answer_facts() {
   float c = operands[PROBE_ADDEND];
   precise float precise_sum = a * a + c;
   answer(PROBE_FMA, fma(a, a, c));
-  answer(PROBE_PLAIN_SUM, a * a + c);
+  answer(PROBE_PLAIN_SUM, operands[PROBE_PLAIN_FACTOR] * operands[PROBE_PLAIN_FACTOR] + operands[PROBE_PLAIN_ADDEND]);
   answer(PROBE_PRECISE_SUM, precise_sum);
   float one = operands[PROBE_ONE];
-  answer(PROBE_TWO_SUM, two_sum_error(one, operands[PROBE_TINY]));
+  answer(PROBE_TWO_SUM, two_sum_error(operands[PROBE_PLAIN_ONE], operands[PROBE_PLAIN_TINY]));
   answer(PROBE_TWO_SUM_PRECISE, two_sum_error_precise(one, operands[PROBE_TINY]));
   float denormal = operands[PROBE_DENORMAL];
   answer(PROBE_DENORMAL_SUM, denormal + denormal);

@@ -9,7 +9,13 @@
 #define PROBE_DENORMAL 4u
 #define PROBE_THREE 5u
 #define PROBE_NAN 6u
-#define PROBE_OPERAND_COUNT 7u
+// The same values again for the expressions without `precise`: with the same operands the driver's common subexpression
+// elimination answers them from the precise ones.
+#define PROBE_PLAIN_FACTOR 7u
+#define PROBE_PLAIN_ADDEND 8u
+#define PROBE_PLAIN_ONE 9u
+#define PROBE_PLAIN_TINY 10u
+#define PROBE_OPERAND_COUNT 11u
 
 // Answers, as bits of floats (PROBE_ISNAN: 0 or 1): the slots below, then the quotients.
 #define PROBE_FMA 0u

@@ -13,9 +13,13 @@ using BinaryChild = std::uint32_t;
 inline constexpr BinaryChild kLeafBit = 0x80000000u;
 
 /// Is the child a triangle?
-inline bool is_leaf(BinaryChild child) { return (child & kLeafBit) != 0; }
+inline bool is_leaf(BinaryChild child) {
+  return (child & kLeafBit) != 0;
+}
 /// Index in the input of a child that is a triangle.
-inline std::uint32_t leaf_triangle(BinaryChild child) { return child & ~kLeafBit; }
+inline std::uint32_t leaf_triangle(BinaryChild child) {
+  return child & ~kLeafBit;
+}
 
 /// Inner node with the unpadded bounds of what is below it.
 struct BinaryNode {

@@ -13,7 +13,8 @@ inline void grow(Box& box, const glm::vec3& point) {
   box.hi = glm::max(box.hi, point);
 }
 
-/// Grows `box` to hold `other`; an empty `other` changes nothing because each side only takes the smaller lo and larger hi.
+/// Grows `box` to hold `other`; an empty `other` changes nothing because each side only takes the smaller lo and larger
+/// hi.
 inline void grow(Box& box, const Box& other) {
   box.lo = glm::min(box.lo, other.lo);
   box.hi = glm::max(box.hi, other.hi);
@@ -41,7 +42,8 @@ inline float longest_side(const Box& box) {
 }
 
 /// The distance by which every side of a box must be moved outwards: 2^-22 of its largest absolute coordinate (on any
-/// axis, because the sheared triangle test mixes the axes), at least 2^-40 of the scene's longest side. Exact in double.
+/// axis, because the sheared triangle test mixes the axes), at least 2^-40 of the scene's longest side. Exact in
+/// double.
 inline double promised_padding(const Box& box, float scene_extent) {
   const glm::vec3 reach = glm::max(glm::abs(box.lo), glm::abs(box.hi));
   const double largest = std::max(reach.x, std::max(reach.y, reach.z));

@@ -12,8 +12,8 @@
 namespace vernier {
 namespace {
 
-// A tree of n triangles has n triangle records and at least n / 4 nodes, so more than this need not be tried. Also keeps
-// indices clear of kLeafBit.
+// A tree of n triangles has n triangle records and at least n / 4 nodes, so more than this need not be tried. Also
+// keeps indices clear of kLeafBit.
 void refuse_too_many(std::size_t triangle_count) {
   if (triangle_count > BVH_MAX_RECORDS) {
     throw Error(ErrorKind::refused, "scene: " + std::to_string(triangle_count) + " triangles, more than the " +

@@ -27,11 +27,15 @@ using BvhRecord = std::array<std::uint32_t, 12>;
 /// contiguous. Empty when there is no triangle.
 struct Bvh {
   std::vector<BvhRecord> records;
-  Box bounds;                          ///< unpadded bounds of all triangles
+  Box bounds;  ///< unpadded bounds of the triangles in the tree
   std::uint32_t triangle_count = 0;
   std::uint32_t node_count = 0;
-  std::uint32_t depth = 0;             ///< nodes on the longest way from the root to a triangle; sizes the traversal stack
-  double sah_cost = 0.0;               ///< of the binary tree before collapsing: sum of area(node)/area(root) x (1 + triangles in a leaf)
+  /// Nodes on the longest way from the root to a triangle: the root over triangles has depth 1. A traversal that keeps
+  /// the unvisited siblings of one level as one group, and pushes the group it holds when it goes down a level, pushes
+  /// nothing at the root and once at most at each further node: depth - 1 stack entries always do.
+  std::uint32_t depth = 0;
+  double sah_cost =
+      0.0;  ///< of the binary tree before collapsing: sum of area(node)/area(root) x (1 + triangles in a leaf)
 };
 
 }  // namespace vernier

@@ -15,7 +15,9 @@ bool same_bits(const BvhTriangle& a, const BvhTriangle& b) {
   return std::memcmp(&a, &b, sizeof(BvhTriangle)) == 0;
 }
 
-bool has_no_area(const BvhTriangle& triangle) { return has_zero_area(triangle.v0, triangle.v1, triangle.v2); }
+bool has_no_area(const BvhTriangle& triangle) {
+  return has_zero_area(triangle.v0, triangle.v1, triangle.v2);
+}
 
 }  // namespace
 
@@ -30,7 +32,8 @@ TriangleTally::TriangleTally(std::span<const BvhTriangle> triangles)
 
 std::string TriangleTally::tick(const BvhRecord& record, std::uint32_t record_index) {
   const BvhTriangle triangle = decode_triangle(record);
-  const std::string place = "record " + std::to_string(record_index) + ": triangle " + std::to_string(triangle.id) + " ";
+  const std::string place =
+      "record " + std::to_string(record_index) + ": triangle " + std::to_string(triangle.id) + " ";
   const auto found =
       triangle.id < by_id_.size() && triangles_[by_id_[triangle.id]].id == triangle.id
           ? by_id_.begin() + triangle.id

@@ -40,7 +40,8 @@ Division best_division(const BinaryNode& node, const CollapsePlans& plans, std::
 // may still be handed over as fewer, where that is no dearer.
 CollapsePlan plan_node(const BinaryNode& node, const CollapsePlans& plans, double area_scale) {
   const auto records = [&](const Division& division, std::uint32_t slots) {
-    return records_of(plans, node.left, division.left_slots) + records_of(plans, node.right, slots - division.left_slots);
+    return records_of(plans, node.left, division.left_slots) +
+           records_of(plans, node.right, slots - division.left_slots);
   };
   const Division inside = best_division(node, plans, kMaxChildren);
   CollapsePlan plan;

@@ -11,8 +11,8 @@ namespace vernier {
 /// Children of a node of the device tree.
 inline constexpr std::uint32_t kMaxChildren = 4;
 
-/// The cheapest way to hand a binary subtree to a wide parent as at most 1, 2 or 3 children: the sum of the areas of the
-/// wide nodes needed, relative to the root's, and how many records they and the triangles take.
+/// The cheapest way to hand a binary subtree to a wide parent as at most 1, 2 or 3 children: the sum of the areas of
+/// the wide nodes needed, relative to the root's, and how many records they and the triangles take.
 struct CollapsePlan {
   std::array<float, kMaxChildren - 1> cost;
   std::array<std::uint32_t, kMaxChildren - 1> record_count;
@@ -23,7 +23,8 @@ using CollapsePlans = std::unique_ptr<CollapsePlan[]>;
 
 /// Finds the collapse to degree 4 whose nodes have the least sum of areas, by dynamic programming from the leaves up
 /// (after Ylitie, Karras, Laine 2017, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, 3.1;
-/// here every leaf stays one triangle). At least two triangles. The same for every `thread_count`. 24 bytes per triangle.
+/// here every leaf stays one triangle). At least two triangles. The same for every `thread_count`. 24 bytes per
+/// triangle.
 CollapsePlans plan_collapse(const BinaryTree& tree, unsigned thread_count);
 
 /// Records of the subtree below `child` when it is one child of a wide node, itself included.

@@ -8,13 +8,19 @@
 namespace vernier {
 namespace {
 
-float as_float(std::uint32_t bits) { return std::bit_cast<float>(bits); }
+float as_float(std::uint32_t bits) {
+  return std::bit_cast<float>(bits);
+}
 
-std::uint32_t byte_of(std::uint32_t word, int index) { return (word >> (8 * index)) & 0xffu; }
+std::uint32_t byte_of(std::uint32_t word, int index) {
+  return (word >> (8 * index)) & 0xffu;
+}
 
 }  // namespace
 
-bool is_triangle(const BvhRecord& record) { return (record[3] & BVH_TRIANGLE) != 0; }
+bool is_triangle(const BvhRecord& record) {
+  return (record[3] & BVH_TRIANGLE) != 0;
+}
 
 BvhTriangle decode_triangle(const BvhRecord& record) {
   return {{as_float(record[0]), as_float(record[1]), as_float(record[2])},

@@ -91,10 +91,12 @@ class Encoder {
   BvhRecord triangle_record(const BvhTriangle& triangle) const {
     const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
     const bool may_pass = not_opaque_ && not_opaque_(triangle.id);
-    return {bits(triangle.v0.x), bits(triangle.v0.y), bits(triangle.v0.z),
-            BVH_TRIANGLE | (may_pass ? BVH_TRIANGLE_NOT_OPAQUE : 0u),
-            bits(triangle.v1.x), bits(triangle.v1.y), bits(triangle.v1.z), 0u,
-            bits(triangle.v2.x), bits(triangle.v2.y), bits(triangle.v2.z), triangle.id};
+    return {bits(triangle.v0.x), bits(triangle.v0.y),
+            bits(triangle.v0.z), BVH_TRIANGLE | (may_pass ? BVH_TRIANGLE_NOT_OPAQUE : 0u),
+            bits(triangle.v1.x), bits(triangle.v1.y),
+            bits(triangle.v1.z), 0u,
+            bits(triangle.v2.x), bits(triangle.v2.y),
+            bits(triangle.v2.z), triangle.id};
   }
 
   const BinaryTree& tree_;

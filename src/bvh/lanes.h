@@ -13,15 +13,25 @@ using Lanes = float __attribute__((vector_size(16)));
 using IntLanes = std::int32_t __attribute__((vector_size(16)));
 
 /// Lane by lane the smaller of two.
-inline Lanes lanes_min(Lanes a, Lanes b) { return a < b ? a : b; }
+inline Lanes lanes_min(Lanes a, Lanes b) {
+  return a < b ? a : b;
+}
 /// Lane by lane the larger of two.
-inline Lanes lanes_max(Lanes a, Lanes b) { return a > b ? a : b; }
+inline Lanes lanes_max(Lanes a, Lanes b) {
+  return a > b ? a : b;
+}
 /// x, y, z and 0.
-inline Lanes lanes_from(const glm::vec3& v) { return Lanes{v.x, v.y, v.z, 0.0f}; }
+inline Lanes lanes_from(const glm::vec3& v) {
+  return Lanes{v.x, v.y, v.z, 0.0f};
+}
 /// The first three lanes.
-inline glm::vec3 vec3_from(Lanes v) { return {v[0], v[1], v[2]}; }
+inline glm::vec3 vec3_from(Lanes v) {
+  return {v[0], v[1], v[2]};
+}
 /// `v` with lane 3 set to 0: an integer kept there reads as a denormal float, which is slow to calculate with.
-inline Lanes without_lane_3(Lanes v) { return std::bit_cast<Lanes>(std::bit_cast<IntLanes>(v) & IntLanes{-1, -1, -1, 0}); }
+inline Lanes without_lane_3(Lanes v) {
+  return std::bit_cast<Lanes>(std::bit_cast<IntLanes>(v) & IntLanes{-1, -1, -1, 0});
+}
 
 /// Box in two registers, lane 3 free. Empty by default; growing by an empty one changes nothing.
 struct LaneBox {
@@ -38,7 +48,9 @@ struct LaneBox {
 };
 
 /// The same box in plain floats.
-inline Box box_from(const LaneBox& box) { return {vec3_from(box.lo), vec3_from(box.hi)}; }
+inline Box box_from(const LaneBox& box) {
+  return {vec3_from(box.lo), vec3_from(box.hi)};
+}
 
 /// Half the surface of `box` times scale squared. Meaningless for an empty box: ask only for those that hold something.
 inline float scaled_half_area(const LaneBox& box, float scale) {

@@ -15,8 +15,8 @@ Split split_by_median(std::span<TriangleReference> references, const ReferenceBo
   };
   Split split;
   split.middle = (references.size() + 1) / 2;
-  std::nth_element(references.begin(), references.begin() + static_cast<std::ptrdiff_t>(split.middle),
-                   references.end(), comes_first);
+  std::nth_element(references.begin(), references.begin() + static_cast<std::ptrdiff_t>(split.middle), references.end(),
+                   comes_first);
   split.left = bounds_of(references.first(split.middle));
   split.right = bounds_of(references.subspan(split.middle));
   return split;

@@ -57,8 +57,7 @@ TriangleReferences make_references(std::span<const BvhTriangle> triangles, unsig
   std::vector<Chunk> chunks((triangles.size() + kChunk - 1) / kChunk);
   parallel_for(thread_count, chunks.size(), [&](std::size_t i) {
     const std::size_t first = i * kChunk;
-    chunks[i] =
-        fill_chunk(triangles, first, std::min(first + kChunk, triangles.size()), references.all.get() + first);
+    chunks[i] = fill_chunk(triangles, first, std::min(first + kChunk, triangles.size()), references.all.get() + first);
   });
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     TriangleReference* from = references.all.get() + i * kChunk;

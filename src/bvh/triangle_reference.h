@@ -20,7 +20,9 @@ inline std::uint32_t triangle_index(const TriangleReference& reference) {
 }
 
 /// Twice the centre of the box; lane 3 is 0.
-inline Lanes doubled_centre(const TriangleReference& reference) { return without_lane_3(reference.lo) + reference.hi; }
+inline Lanes doubled_centre(const TriangleReference& reference) {
+  return without_lane_3(reference.lo) + reference.hi;
+}
 
 /// Bounds of some references and of their doubled centres.
 struct ReferenceBounds {

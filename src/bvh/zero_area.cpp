@@ -7,7 +7,8 @@ namespace vernier {
 namespace {
 
 // Is the sum of `terms` exactly zero? Adds them one by one into an expansion, a sum of doubles that do not overlap
-// (Shewchuk 1997, Adaptive Precision Floating-Point Arithmetic, section 2.4): the expansion is zero only when each part is.
+// (Shewchuk 1997, Adaptive Precision Floating-Point Arithmetic, section 2.4): the expansion is zero only when each part
+// is.
 bool sums_to_zero(const std::array<double, 6>& terms) {
   std::array<double, 6> parts{};
   std::size_t part_count = 0;
@@ -44,8 +45,7 @@ bool component_is_zero(double ax, double ay, double bx, double by, double cx, do
 
 bool has_zero_area(const glm::vec3& v0, const glm::vec3& v1, const glm::vec3& v2) {
   return component_is_zero(v0.x, v0.y, v1.x, v1.y, v2.x, v2.y) &&
-         component_is_zero(v0.y, v0.z, v1.y, v1.z, v2.y, v2.z) &&
-         component_is_zero(v0.z, v0.x, v1.z, v1.x, v2.z, v2.x);
+         component_is_zero(v0.y, v0.z, v1.y, v1.z, v2.y, v2.z) && component_is_zero(v0.z, v0.x, v1.z, v1.x, v2.z, v2.x);
 }
 
 }  // namespace vernier

@@ -9,7 +9,9 @@
 namespace vernier {
 namespace {
 
-glm::dvec3 axis(const Camera& camera, int column) { return glm::dvec3(camera.world_from_camera[column]); }
+glm::dvec3 axis(const Camera& camera, int column) {
+  return glm::dvec3(camera.world_from_camera[column]);
+}
 
 [[noreturn]] void refuse_camera(const Scene& scene, const std::string& wanted) {
   std::string known;
@@ -17,8 +19,8 @@ glm::dvec3 axis(const Camera& camera, int column) { return glm::dvec3(camera.wor
     const std::string& name = scene.cameras[index].name;
     known += (index == 0 ? "" : ", ") + std::to_string(index) + (name.empty() ? "" : " (" + name + ")");
   }
-  throw Error(ErrorKind::usage, "--camera: there is no camera `" + wanted + "` in " + scene.source + "; there are: " +
-                                    (known.empty() ? "none" : known));
+  throw Error(ErrorKind::usage, "--camera: there is no camera `" + wanted + "` in " + scene.source +
+                                    "; there are: " + (known.empty() ? "none" : known));
 }
 
 const Camera& named_camera(const Scene& scene, const std::string& wanted) {
@@ -77,7 +79,8 @@ void move_camera(Camera& camera, const Scene& scene, const SceneSettings& settin
     const glm::dvec3 target = settings.target.value_or(bounds.lo * 0.5 + bounds.hi * 0.5);
     forward = unit(target - eye);
     if (forward == glm::dvec3(0.0)) {
-      throw Error(ErrorKind::usage, std::string(settings.eye ? "--eye" : "--target") + ": eye and target are the same point");
+      throw Error(ErrorKind::usage,
+                  std::string(settings.eye ? "--eye" : "--target") + ": eye and target are the same point");
     }
   }
   look(camera, eye, forward, up_of(settings, forward));

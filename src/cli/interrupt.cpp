@@ -10,7 +10,9 @@ namespace {
 std::atomic<bool> g_interrupted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
-void remember_interrupt(int) { g_interrupted.store(true); }
+void remember_interrupt(int) {
+  g_interrupted.store(true);
+}
 
 }  // namespace
 
@@ -22,6 +24,8 @@ void catch_interrupt() {
   sigaction(SIGINT, &action, nullptr);
 }
 
-bool interrupted() { return g_interrupted.load(); }
+bool interrupted() {
+  return g_interrupted.load();
+}
 
 }  // namespace vernier

@@ -132,6 +132,11 @@ glm::vec3 parse_color(const std::string& option, const std::string& text) {
   return glm::vec3(color);
 }
 
+float parse_exposure(const std::string& text) {
+  constexpr double kMostStops = 100.0;
+  return static_cast<float>(parse_number_in("--exposure", text, -kMostStops, kMostStops));
+}
+
 SampleRange parse_sample_range(const std::string& option, const std::string& text, std::uint32_t spp) {
   const std::vector<std::string> parts = split(text, ':');
   const std::optional<std::uint32_t> begin = whole_number(parts.front());

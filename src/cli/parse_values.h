@@ -39,6 +39,9 @@ glm::dvec3 parse_vec3(const std::string& option, const std::string& text);
 /// `r,g,b`: three finite numbers from 0 that fit float32.
 glm::vec3 parse_color(const std::string& option, const std::string& text);
 
+/// `--exposure`: stops from -100 to 100, so that no factor of two leaves float32.
+float parse_exposure(const std::string& text);
+
 /// Samples [begin, end).
 struct SampleRange {
   std::uint32_t begin = 0;

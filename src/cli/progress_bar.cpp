@@ -18,13 +18,20 @@ constexpr std::chrono::seconds kPlainPause{2};
 
 std::string bar(double share, int width) {
   const int done = static_cast<int>(share * width);
-  return "[" + std::string(static_cast<std::size_t>(done), '#') + std::string(static_cast<std::size_t>(width - done), '-') +
-         "] ";
+  return "[" + std::string(static_cast<std::size_t>(done), '#') +
+         std::string(static_cast<std::size_t>(width - done), '-') + "] ";
 }
 
-bool known(double value) { return std::isfinite(value) && value > 0.0; }
+bool known(double value) {
+  return std::isfinite(value) && value > 0.0;
+}
 
 }  // namespace
+
+ProgressState WorkClock::at(double share) const {
+  const double seconds = std::chrono::duration<double>(steady_clock::now() - start_).count();
+  return {share, 0.0, share > 0.0 ? seconds * (1.0 - share) / share : 0.0};
+}
 
 std::string clock_text(double seconds) {
   const auto whole = static_cast<std::int64_t>(std::ceil(seconds));

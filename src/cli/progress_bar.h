@@ -7,9 +7,19 @@ namespace vernier {
 
 /// How far a piece of work is. Rates and times below 0 or not finite are unknown and left out.
 struct ProgressState {
-  double share = 0.0;      ///< in [0, 1]
+  double share = 0.0;       ///< in [0, 1]
   double rays_per_s = 0.0;  ///< 0: nothing is traced
   double eta_s = 0.0;
+};
+
+/// Tells the time left from the share of the work that is done. Starts when it is made.
+class WorkClock {
+ public:
+  /// The state at `share` in [0, 1], with the rest estimated from the time so far; no rate.
+  ProgressState at(double share) const;
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
 /// One line without a line break: `[#####-----]  50 %  12.3 Mrays/s  ETA 1:05`; `bar_width` 0 leaves the bar out.

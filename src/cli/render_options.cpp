@@ -13,12 +13,13 @@
 namespace vernier {
 namespace {
 
-constexpr std::uint32_t kMaxBounces = 64;       // weights have long fallen below any cutoff; bounds the work of cutoff 0
-constexpr double kMaxDispatch_ms = 60000.0;     // drivers reset a device that is busy for longer
+constexpr std::uint32_t kMaxBounces = 64;    // weights have long fallen below any cutoff; bounds the work of cutoff 0
+constexpr double kMaxDispatch_ms = 60000.0;  // drivers reset a device that is busy for longer
 constexpr double kMaxTimeLimit_s = 31536000.0;  // a year
 
-constexpr std::array<const char*, 11> kAovs = {"depth",     "position",    "normal",       "shading_normal", "uv",  "albedo",
-                                               "object_id", "material_id", "primitive_id", "sample_count",   "cost"};
+constexpr std::array<const char*, 11> kAovs = {"depth",        "position",     "normal",    "shading_normal",
+                                               "uv",           "albedo",       "object_id", "material_id",
+                                               "primitive_id", "sample_count", "cost"};
 
 std::vector<std::string> parse_aovs(const std::string& list) {
   std::vector<std::string> aovs;
@@ -57,8 +58,8 @@ void check_crop(const RenderSettings& settings) {
                                       std::to_string(settings.height) + " pixels");
   }
   if (std::int64_t{rect.width} * rect.height > kMaxPixels) {
-    throw Error(ErrorKind::usage, std::string(settings.crop ? "--crop" : "--size") + ": more than " + std::to_string(kMaxPixels) +
-                                      " pixels at once; render it in parts with --crop");
+    throw Error(ErrorKind::usage, std::string(settings.crop ? "--crop" : "--size") + ": more than " +
+                                      std::to_string(kMaxPixels) + " pixels at once; render it in parts with --crop");
   }
 }
 
@@ -80,12 +81,14 @@ void add_size_option(CLI::App& app, std::string& size) {
 }
 
 void add_bounces_option(CLI::App& app, std::string& max_bounces) {
-  app.add_option("--max-bounces", max_bounces, "depth of reflections and refractions, 0 to 64 (default: 8)")->type_name("N");
+  app.add_option("--max-bounces", max_bounces, "depth of reflections and refractions, 0 to 64 (default: 8)")
+      ->type_name("N");
 }
 
 void add_effects_option(CLI::App& app, std::string& effects) {
   app.add_option("--effects", effects,
-                 "auto, all, or a list read from left to right such as auto,-shadows or shadows,reflection (default: auto, what "
+                 "auto, all, or a list read from left to right such as auto,-shadows or shadows,reflection (default: "
+                 "auto, what "
                  "the scene calls for)")
       ->type_name("LIST");
 }
@@ -96,7 +99,8 @@ void add_sampling_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--cutoff", arguments.cutoff,
                  "a ray whose weight falls below W in [0, 1] is not traced; 0 never cuts (default: 1/1024)")
       ->type_name("W");
-  app.add_option("--seed", arguments.seed, "number of the sample pattern, 0 to 4294967295 (default: 0)")->type_name("N");
+  app.add_option("--seed", arguments.seed, "number of the sample pattern, 0 to 4294967295 (default: 0)")
+      ->type_name("N");
 }
 
 void add_render_options(CLI::App& app, RenderArguments& arguments) {
@@ -105,20 +109,26 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
                  "pixels of the full image; their bits equal those of the full render (default: the whole image)")
       ->type_name("X,Y,W,H");
   add_sampling_options(app, arguments);
-  app.add_option("--sample-range", arguments.sample_range, "samples A to B-1 of each pixel, for merging (default: 0:spp)")
+  app.add_option("--sample-range", arguments.sample_range,
+                 "samples A to B-1 of each pixel, for merging (default: 0:spp)")
       ->type_name("A:B");
   app.add_option("--aov", arguments.aov,
-                 "further layers: depth (metres), position (metres), normal, shading_normal, uv, albedo, object_id, material_id, "
-                 "primitive_id, sample_count, cost (per sample); EXR holds them all, other formats make NAME.AOV.EXT (default: none)")
+                 "further layers: depth (metres), position (metres), normal, shading_normal, uv, albedo, object_id, "
+                 "material_id, "
+                 "primitive_id, sample_count, cost (per sample); EXR holds them all, other formats make NAME.AOV.EXT "
+                 "(default: none)")
       ->type_name("LIST");
-  app.add_option("--accuracy", arguments.accuracy, "numeric level: fast, robust or exact; this version has robust (default: robust)")
+  app.add_option("--accuracy", arguments.accuracy,
+                 "numeric level: fast, robust or exact; this version has robust (default: robust)")
       ->type_name("LEVEL");
   add_effects_option(app, arguments.effects);
   app.add_option("--tile", arguments.tile, "pixels of a submission; never changes a bit of the image (default: chosen)")
       ->type_name("WxH");
-  app.add_option("--dispatch-ms", arguments.dispatch_ms, "time budget of one submission, milliseconds, 1 to 60000 (default: 100)")
+  app.add_option("--dispatch-ms", arguments.dispatch_ms,
+                 "time budget of one submission, milliseconds, 1 to 60000 (default: 100)")
       ->type_name("N");
-  app.add_option("--time-limit", arguments.time_limit, "stop after S seconds with the samples done by then (default: none)")
+  app.add_option("--time-limit", arguments.time_limit,
+                 "stop after S seconds with the samples done by then (default: none)")
       ->type_name("S");
 }
 

@@ -45,24 +45,29 @@ void add_scene_options(CLI::App& app, SceneArguments& arguments) {
                  "point looked at in metres (default: the camera's; with --eye alone the scene's centre)")
       ->type_name("x,y,z")
       ->group(group);
-  app.add_option("--up", arguments.up, "direction that is up in the image (default: the camera's; 0,1,0 with --eye or --target)")
+  app.add_option("--up", arguments.up,
+                 "direction that is up in the image (default: the camera's; 0,1,0 with --eye or --target)")
       ->type_name("x,y,z")
       ->group(group);
-  app.add_option("--fov", arguments.fov, "vertical field of view in degrees, between 0 and 180 (default: the camera's, else 45)")
+  app.add_option("--fov", arguments.fov,
+                 "vertical field of view in degrees, between 0 and 180 (default: the camera's, else 45)")
       ->type_name("DEG")
       ->group(group);
   app.add_option("--light", arguments.lights,
-                 "point:x,y,z:r,g,b (metres, candela) or dir:x,y,z:r,g,b (the way the light travels, lux); repeatable, replaces the "
+                 "point:x,y,z:r,g,b (metres, candela) or dir:x,y,z:r,g,b (the way the light travels, lux); repeatable, "
+                 "replaces the "
                  "file's lights (default: the file's, else a key and a fill light beside the camera)")
       ->type_name("LIGHT")
       ->allow_extra_args(false)
       ->group(group);
   app.add_option("--background", arguments.background,
-                 "linear radiance, or an equirectangular image (default: the file's, else a soft gradient where the file has no "
+                 "linear radiance, or an equirectangular image (default: the file's, else a soft gradient where the "
+                 "file has no "
                  "lights, else black)")
       ->type_name("r,g,b|FILE")
       ->group(group);
-  app.add_option("--ambient", arguments.ambient, "linear radiance of the ambient light (default: that of the background)")
+  app.add_option("--ambient", arguments.ambient,
+                 "linear radiance of the ambient light (default: that of the background)")
       ->type_name("r,g,b")
       ->group(group);
   app.add_flag("--strict", arguments.strict,

@@ -13,12 +13,12 @@ struct SceneSetup {
 };
 
 /// Loads the scene that `settings` name (the built-in one without a name), chooses the camera for an image of
-/// `aspect` = width / height and sets the light. Throws Error(refused) for a broken file, Error(usage) for a camera that
-/// is not there.
+/// `aspect` = width / height and sets the light. Throws Error(refused) for a broken file, Error(usage) for a camera
+/// that is not there.
 SceneSetup set_up_scene(const SceneSettings& settings, double aspect);
 
-/// Puts the lights and the environment of `settings` in place of the file's. Where neither brings a light, adds the default
-/// lighting; a background that is given stays. Throws Error(refused) for a broken background file.
+/// Puts the lights and the environment of `settings` in place of the file's. Where neither brings a light, adds the
+/// default lighting; a background that is given stays. Throws Error(refused) for a broken background file.
 void set_lighting(Scene& scene, const Camera& camera, const SceneSettings& settings);
 
 }  // namespace vernier

@@ -20,8 +20,8 @@ using Memory = vk::MemoryPropertyFlagBits;
 struct UseTraits {
   const char* name;
   vk::BufferUsageFlags usage;
-  vk::Format texel_format;      ///< undefined unless read as texels
-  std::uint64_t texel_bytes;    ///< 0 unless read as texels
+  vk::Format texel_format;    ///< undefined unless read as texels
+  std::uint64_t texel_bytes;  ///< 0 unless read as texels
 };
 
 UseTraits traits_of(BufferUse use) {
@@ -129,8 +129,8 @@ Buffer::Buffer(const Device& device, std::uint64_t size_bytes, BufferUse use) : 
       mapped_ = {static_cast<std::byte*>(memory_.mapMemory(0, VK_WHOLE_SIZE)), size_bytes_};
     }
     if (traits.texel_bytes != 0) {
-      view_ = device.vk().createBufferView(
-          vk::BufferViewCreateInfo({}, *buffer_, traits.texel_format, 0, VK_WHOLE_SIZE));
+      view_ =
+          device.vk().createBufferView(vk::BufferViewCreateInfo({}, *buffer_, traits.texel_format, 0, VK_WHOLE_SIZE));
     }
   });
   clear(device);
@@ -145,7 +145,8 @@ void Buffer::upload(const Device& device, std::span<const std::byte> bytes, std:
   }
   Buffer staging(device, std::min<std::uint64_t>(bytes.size(), kStagingBytes), BufferUse::storage_host_visible);
   for (std::uint64_t done = 0; done < bytes.size(); done += kStagingBytes) {
-    const std::span<const std::byte> part = bytes.subspan(done, std::min<std::uint64_t>(bytes.size() - done, kStagingBytes));
+    const std::span<const std::byte> part =
+        bytes.subspan(done, std::min<std::uint64_t>(bytes.size() - done, kStagingBytes));
     std::memcpy(staging.mapped_.data(), part.data(), part.size());
     run_transfer(device, [&](const vk::raii::CommandBuffer& commands) {
       commands.copyBuffer(*staging.buffer_, *buffer_, vk::BufferCopy(0, offset_bytes + done, part.size()));
@@ -175,9 +176,8 @@ void Buffer::clear(const Device& device) {
     std::memset(mapped_.data(), 0, mapped_.size());
     return;
   }
-  run_transfer(device, [&](const vk::raii::CommandBuffer& commands) {
-    commands.fillBuffer(*buffer_, 0, VK_WHOLE_SIZE, 0);
-  });
+  run_transfer(device,
+               [&](const vk::raii::CommandBuffer& commands) { commands.fillBuffer(*buffer_, 0, VK_WHOLE_SIZE, 0); });
 }
 
 }  // namespace vernier

@@ -27,8 +27,8 @@ struct SpecializationValue {
 class ComputePipeline {
  public:
   ComputePipeline() = default;
-  /// Compiles `spirv` (entry point main). `bindings` give set 0's numbers and types (the buffers bound later must have the
-  /// same uses). Time spent is in compile_ms().
+  /// Compiles `spirv` (entry point main). `bindings` give set 0's numbers and types (the buffers bound later must have
+  /// the same uses). Time spent is in compile_ms().
   ComputePipeline(const Device& device, std::span<const std::uint32_t> spirv, std::span<const Binding> bindings,
                   std::uint32_t push_constant_bytes, std::span<const SpecializationValue> specialization);
 

@@ -9,7 +9,9 @@
 namespace vernier {
 namespace {
 
-std::string yes_no(bool value) { return value ? "yes" : "no"; }
+std::string yes_no(bool value) {
+  return value ? "yes" : "no";
+}
 
 std::string mebibytes(std::uint64_t bytes) {
   constexpr std::uint64_t kBytesPerMebibyte = std::uint64_t{1} << 20;
@@ -37,7 +39,8 @@ void describe_limits(std::ostringstream& out, const DeviceDescription& device) {
 void describe_probe(std::ostringstream& out, const ProbeResult& probe) {
   line(out, "float64", yes_no(probe.float64));
   line(out, "fma() is fused", yes_no(probe.fma_is_fused));
-  line(out, "a*b+c is fused", yes_no(probe.plain_sum_is_fused) + ", with precise " + yes_no(probe.precise_sum_is_fused));
+  line(out, "a*b+c is fused",
+       yes_no(probe.plain_sum_is_fused) + ", with precise " + yes_no(probe.precise_sum_is_fused));
   line(out, "two-sum keeps its error",
        yes_no(probe.two_sum_survives) + ", with precise " + yes_no(probe.precise_two_sum_survives));
   line(out, "denormals are kept",
@@ -91,7 +94,7 @@ nlohmann::json report_json(const DeviceReport& report) {
 
 }  // namespace
 
-std::vector<DeviceReport> report_devices(const Instance& instance) {
+std::vector<DeviceReport> report_devices(const VulkanInstance& instance) {
   std::vector<DeviceReport> out;
   for (const DeviceDescription& description : list_devices(instance)) {
     DeviceReport report{description, std::nullopt, ""};

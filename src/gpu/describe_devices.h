@@ -20,12 +20,13 @@ struct DeviceReport {
 
 /// Lists all devices of `instance` in the loader's order and probes the usable ones. A probe that fails is reported in
 /// its place and stops nothing. Throws Error(no_device) when the devices cannot be listed.
-std::vector<DeviceReport> report_devices(const Instance& instance);
+std::vector<DeviceReport> report_devices(const VulkanInstance& instance);
 
 /// A paragraph per device for people: names, driver, limits, findings. No devices give one line that says so.
 std::string describe_devices(std::span<const DeviceReport> reports);
 
-/// {"schema": 1, "devices": [...]} with the fields of DeviceDescription, and of ProbeResult under "probe" (null without).
+/// {"schema": 1, "devices": [...]} with the fields of DeviceDescription, and of ProbeResult under "probe" (null
+/// without).
 nlohmann::json devices_json(std::span<const DeviceReport> reports);
 
 }  // namespace vernier

@@ -97,7 +97,7 @@ DeviceDescription describe(const vk::raii::PhysicalDevice& physical, int index) 
 
 }  // namespace
 
-std::vector<DeviceDescription> list_devices(const Instance& instance) {
+std::vector<DeviceDescription> list_devices(const VulkanInstance& instance) {
   std::vector<DeviceDescription> out;
   try {
     for (const vk::raii::PhysicalDevice& physical : vk::raii::PhysicalDevices(instance.vk())) {
@@ -109,7 +109,7 @@ std::vector<DeviceDescription> list_devices(const Instance& instance) {
   return out;
 }
 
-Device::Device(const Instance& instance, const DeviceDescription& description) : description_(description) {
+Device::Device(const VulkanInstance& instance, const DeviceDescription& description) : description_(description) {
   if (!description.usable) {
     throw Error(ErrorKind::no_device, "device " + std::to_string(description.index) + " (" + description.name +
                                           ") is not usable: " + description.unusable_reason);

@@ -11,12 +11,12 @@ namespace vernier {
 
 /// What there is to know of a device before it is opened.
 struct DeviceDescription {
-  int index = 0;             ///< position in the loader's order; what `--device` takes
+  int index = 0;  ///< position in the loader's order; what `--device` takes
   std::string name;
-  std::string kind;          ///< discrete GPU, integrated GPU, virtual GPU, CPU, other
-  std::string driver;        ///< driver name and its own version text
-  std::string api_version;   ///< 1.3.230
-  bool usable = false;       ///< Vulkan 1.2, scalar block layout, a compute queue
+  std::string kind;         ///< discrete GPU, integrated GPU, virtual GPU, CPU, other
+  std::string driver;       ///< driver name and its own version text
+  std::string api_version;  ///< 1.3.230
+  bool usable = false;      ///< Vulkan 1.2, scalar block layout, a compute queue
   std::string unusable_reason;
   bool is_cpu = false;
   bool float64 = false;
@@ -34,18 +34,18 @@ struct DeviceDescription {
 };
 
 /// All devices of `instance` in the loader's order.
-std::vector<DeviceDescription> list_devices(const Instance& instance);
+std::vector<DeviceDescription> list_devices(const VulkanInstance& instance);
 
 /// The device that `selector` means: empty: the best usable one (discrete GPU, integrated, virtual, CPU; the lower
-/// index among equals; llvmpipe before other CPU devices); a number: that index; otherwise a part of the name, any case.
-/// Throws Error(no_device) that lists what there is.
+/// index among equals; llvmpipe before other CPU devices); a number: that index; otherwise a part of the name, any
+/// case. Throws Error(no_device) that lists what there is.
 DeviceDescription choose_device(const std::vector<DeviceDescription>& devices, const std::string& selector);
 
 /// An opened device with one compute queue. Features asked for: scalar block layout only (float64 where `float64`).
 class Device {
  public:
   /// Opens `description`, which list_devices(instance) gave. `instance` outlives the device.
-  Device(const Instance& instance, const DeviceDescription& description);
+  Device(const VulkanInstance& instance, const DeviceDescription& description);
 
   const DeviceDescription& description() const { return description_; }
   const vk::raii::PhysicalDevice& physical() const { return physical_; }

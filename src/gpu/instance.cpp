@@ -9,7 +9,7 @@
 namespace vernier {
 
 /// Messages come from whichever thread makes the call that is at fault.
-struct Instance::MessageLog {
+struct VulkanInstance::MessageLog {
   std::mutex mutex;
   std::vector<std::string> lines;
 
@@ -40,7 +40,8 @@ vk::raii::Instance create_instance(const vk::raii::Context& context, bool valida
   const vk::ApplicationInfo application("vernier", 1, "vernier", 1, VK_API_VERSION_1_2);
   vk::InstanceCreateInfo create({}, &application);
   const std::vector<const char*> layers{kValidationLayer};
-  const std::vector<const char*> extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME, VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
+  const std::vector<const char*> extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
+                                            VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
   const vk::ValidationFeatureEnableEXT synchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
   const vk::ValidationFeaturesEXT features(synchronization);
   if (validation) {
@@ -52,7 +53,7 @@ vk::raii::Instance create_instance(const vk::raii::Context& context, bool valida
 }  // namespace
 
 // A try block around the whole constructor, since the loader is opened by a member.
-Instance::Instance(bool validation) try : log_(std::make_unique<MessageLog>()) {
+VulkanInstance::VulkanInstance(bool validation) try : log_(std::make_unique<MessageLog>()) {
   const bool validate = validation || environment_asks_for_validation();
   instance_ = create_instance(context_, validate);
   if (!validate) return;
@@ -60,24 +61,23 @@ Instance::Instance(bool validation) try : log_(std::make_unique<MessageLog>()) {
   using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
   // Not Type::eGeneral: that is the loader talking about drivers it did not find.
   messenger_ = vk::raii::DebugUtilsMessengerEXT(
-      instance_, vk::DebugUtilsMessengerCreateInfoEXT({}, Severity::eWarning | Severity::eError,
-                                                      Type::eValidation | Type::ePerformance, &MessageLog::receive,
-                                                      log_.get()));
+      instance_,
+      vk::DebugUtilsMessengerCreateInfoEXT({}, Severity::eWarning | Severity::eError,
+                                           Type::eValidation | Type::ePerformance, &MessageLog::receive, log_.get()));
 } catch (const vk::LayerNotPresentError&) {
-  throw Error(ErrorKind::no_device,
-              "Vulkan: the validation layer " + std::string(kValidationLayer) +
-                  " was asked for and is not installed (Debian: vulkan-validationlayers)");
+  throw Error(ErrorKind::no_device, "Vulkan: the validation layer " + std::string(kValidationLayer) +
+                                        " was asked for and is not installed (Debian: vulkan-validationlayers)");
 } catch (const vk::IncompatibleDriverError&) {
   throw Error(ErrorKind::no_device, "Vulkan: no driver is installed (Debian: mesa-vulkan-drivers has one for any CPU)");
 } catch (const std::runtime_error& error) {
   throw Error(ErrorKind::no_device, std::string("Vulkan: the loader does not start: ") + error.what());
 }
 
-Instance::Instance(Instance&& other) noexcept = default;
+VulkanInstance::VulkanInstance(VulkanInstance&& other) noexcept = default;
 
-Instance::~Instance() = default;
+VulkanInstance::~VulkanInstance() = default;
 
-std::vector<std::string> Instance::validation_messages() const {
+std::vector<std::string> VulkanInstance::validation_messages() const {
   const std::lock_guard lock(log_->mutex);
   return log_->lines;
 }

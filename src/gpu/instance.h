@@ -8,15 +8,15 @@
 namespace vernier {
 
 /// The Vulkan loader and an instance of version 1.2. Owns both; movable by construction only.
-class Instance {
+class VulkanInstance {
  public:
   /// `validation` turns the Khronos validation layer on (with synchronisation checks); its messages are collected.
   /// The environment variable VERNIER_VALIDATION=1 does the same for any caller.
   /// Throws Error(no_device) without a loader or driver, or when validation is asked for and not installed.
-  explicit Instance(bool validation = false);
-  Instance(Instance&& other) noexcept;
-  Instance& operator=(Instance&&) = delete;
-  ~Instance();
+  explicit VulkanInstance(bool validation = false);
+  VulkanInstance(VulkanInstance&& other) noexcept;
+  VulkanInstance& operator=(VulkanInstance&&) = delete;
+  ~VulkanInstance();
 
   /// The Vulkan-Hpp instance.
   const vk::raii::Instance& vk() const { return instance_; }

@@ -17,7 +17,7 @@
 namespace vernier {
 namespace {
 
-constexpr float kTiny = 0x1p-30F;      // lost when added to 1
+constexpr float kTiny = 0x1p-30F;       // lost when added to 1
 constexpr float kDenormal = 0x1p-130F;  // below 2^-126, and three times it is exact
 
 std::vector<float> make_operands() {
@@ -25,8 +25,10 @@ std::vector<float> make_operands() {
   // (1 + 2^-12)^2 = 1 + 2^-11 + 2^-24, of which rounding drops the last term: it is left over only by a fused sum.
   out[PROBE_FACTOR] = 1.0F + 0x1p-12F;
   out[PROBE_ADDEND] = -(1.0F + 0x1p-11F);
-  out[PROBE_ONE] = 1.0F;
-  out[PROBE_TINY] = kTiny;
+  out[PROBE_PLAIN_FACTOR] = out[PROBE_FACTOR];
+  out[PROBE_PLAIN_ADDEND] = out[PROBE_ADDEND];
+  out[PROBE_ONE] = out[PROBE_PLAIN_ONE] = 1.0F;
+  out[PROBE_TINY] = out[PROBE_PLAIN_TINY] = kTiny;
   out[PROBE_DENORMAL] = kDenormal;
   out[PROBE_THREE] = 3.0F;
   out[PROBE_NAN] = std::numeric_limits<float>::quiet_NaN();
@@ -76,7 +78,8 @@ std::vector<std::uint32_t> run_probe(const Device& device, const std::vector<flo
   const std::array<Binding, 2> bindings{Binding{0, &input}, Binding{1, &output}};
   const ComputePipeline pipeline(device, kProbeSpirv, bindings, 0, {});
   const BindingSet set(device, pipeline, bindings);
-  const std::array<Dispatch, 1> dispatches{Dispatch{&pipeline, &set, {}, PROBE_DIVISION_COUNT / PROBE_GROUP_SIZE, 1, 1}};
+  const std::array<Dispatch, 1> dispatches{
+      Dispatch{&pipeline, &set, {}, PROBE_DIVISION_COUNT / PROBE_GROUP_SIZE, 1, 1}};
   Submitter(device).run(dispatches);
   output.download(device, std::as_writable_bytes(std::span(answers)));
   return answers;

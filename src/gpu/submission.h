@@ -37,7 +37,8 @@ class Submitter {
 
   /// Runs `dispatches` in order, each seeing what the one before wrote, and the host what all wrote. Waits with a limit
   /// of `timeout_s` (0 asks once); a device that does not answer by then counts as lost. Throws Error(device_lost) on
-  /// loss and from then on. Nothing to dispatch is allowed and takes almost no time.
+  /// loss and from then on; a device on the CPU is first awaited to its end, for its threads still write to the
+  /// buffers. Nothing to dispatch is allowed and takes almost no time.
   SubmissionTime run(std::span<const Dispatch> dispatches, double timeout_s = 120.0);
 
  private:
@@ -49,8 +50,8 @@ class Submitter {
   bool lost_ = false;
 };
 
-/// Records copies and fills by `record_copies`, between barriers to everything before and after, submits them on their own and
-/// waits. For transfers outside the render loop. Throws Error(device_lost) on loss.
+/// Records copies and fills by `record_copies`, between barriers to everything before and after, submits them on their
+/// own and waits. For transfers outside the render loop. Throws Error(device_lost) on loss.
 void run_transfer(const Device& device, const std::function<void(const vk::raii::CommandBuffer&)>& record_copies);
 
 }  // namespace vernier

@@ -7,7 +7,9 @@
 namespace vernier {
 namespace {
 
-std::string size_text(const Image& image) { return std::to_string(image.width) + " x " + std::to_string(image.height); }
+std::string size_text(const Image& image) {
+  return std::to_string(image.width) + " x " + std::to_string(image.height);
+}
 
 void check(const Image& image) {
   if (image.width < 1 || image.height < 1) throw Error(ErrorKind::usage, "compare images: an image has no pixels");
@@ -23,8 +25,7 @@ void check(const Image& image) {
 
 void check_pair(const Image& a, const Image& b) {
   if (a.width != b.width || a.height != b.height)
-    throw Error(ErrorKind::usage,
-                "compare images: sizes differ: " + size_text(a) + " and " + size_text(b) + " pixels");
+    throw Error(ErrorKind::usage, "compare images: sizes differ: " + size_text(a) + " and " + size_text(b) + " pixels");
   check(a);
   check(b);
 }

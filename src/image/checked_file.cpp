@@ -11,7 +11,9 @@ CheckedFile::CheckedFile(const std::string& path) : IOProxy(path, Write), file_(
   if (!file_) note_failure();
 }
 
-CheckedFile::~CheckedFile() { finish(); }
+CheckedFile::~CheckedFile() {
+  finish();
+}
 
 const std::string& CheckedFile::finish() {
   if (file_ && std::fclose(file_) != 0) note_failure();

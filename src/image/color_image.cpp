@@ -44,10 +44,14 @@ Image color_image(const ImageFile& file, const std::string& path) {
 
 ImageFile file_of_image(const Image& image) {
   Layer layer{"", {}, image.values};
-  if (image.channel_count == 1) layer.channels = {"Y"};
-  else if (image.channel_count == 3) layer.channels = {"R", "G", "B"};
-  else if (image.channel_count == 4) layer.channels = {"R", "G", "B", "A"};
-  else throw Error(ErrorKind::failed, "an image of " + std::to_string(image.channel_count) + " channels is no colour");
+  if (image.channel_count == 1)
+    layer.channels = {"Y"};
+  else if (image.channel_count == 3)
+    layer.channels = {"R", "G", "B"};
+  else if (image.channel_count == 4)
+    layer.channels = {"R", "G", "B", "A"};
+  else
+    throw Error(ErrorKind::failed, "an image of " + std::to_string(image.channel_count) + " channels is no colour");
   ImageFile file;
   file.width = file.full_width = image.width;
   file.height = file.full_height = image.height;

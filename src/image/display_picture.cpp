@@ -121,7 +121,9 @@ Rgb code_of(LayerMeaning meaning, const Rgb& rgb, const Ranges& ranges, double g
   return kMagenta;
 }
 
-bool finite(const Rgb& rgb) { return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]); }
+bool finite(const Rgb& rgb) {
+  return std::isfinite(rgb[0]) && std::isfinite(rgb[1]) && std::isfinite(rgb[2]);
+}
 
 // `map` turns finite values into the picture's; misses and faults are the same in every picture.
 Image picture(const ShownChannels& shown, LayerMeaning meaning, int width, int height,
@@ -132,8 +134,10 @@ Image picture(const ShownChannels& shown, LayerMeaning meaning, int width, int h
   for (std::size_t pixel = 0; pixel < pixel_count; ++pixel) {
     const Rgb rgb = shown.rgb(pixel);
     Rgb out = kMagenta;
-    if (meaning == LayerMeaning::depth && rgb[0] == kInfinity) out = kBlack;
-    else if (finite(rgb)) out = map(rgb);
+    if (meaning == LayerMeaning::depth && rgb[0] == kInfinity)
+      out = kBlack;
+    else if (finite(rgb))
+      out = map(rgb);
     for (std::size_t c = 0; c < 3; ++c)
       image.values[pixel * 3 + c] = static_cast<float>(std::clamp(out[c], 0.0, upper_bound));
   }

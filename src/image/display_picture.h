@@ -6,7 +6,7 @@ namespace vernier {
 
 /// How linear colour becomes a display image.
 struct DisplayTransform {
-  float exposure_ev = 0.0f;  ///< colour is multiplied by 2^exposure_ev; layers that are not the colour layer are not
+  float exposure_ev = 0.0f;  ///< multiplies the colour layer by 2^exposure_ev; within +-100
 };
 
 /// What the values of a layer are, as far as its display depends on it.

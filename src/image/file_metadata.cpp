@@ -11,10 +11,14 @@ constexpr const char* kMark = "vernier metadata";
 std::string escape(const std::string& text, const char* equals) {
   std::string escaped;
   for (const char letter : text) {
-    if (letter == '\\') escaped += "\\\\";
-    else if (letter == '\n') escaped += "\\n";
-    else if (letter == '=') escaped += equals;
-    else escaped += letter;
+    if (letter == '\\')
+      escaped += "\\\\";
+    else if (letter == '\n')
+      escaped += "\\n";
+    else if (letter == '=')
+      escaped += equals;
+    else
+      escaped += letter;
   }
   return escaped;
 }

@@ -50,14 +50,12 @@ Plane filtered(const Plane& plane, const SeparableFilter& filter) {
 Planes seen_planes(const Planes& opponent, double pixels_per_degree) {
   constexpr std::array<Opponent, 3> kChannels = {Opponent::luminance, Opponent::red_green, Opponent::blue_yellow};
   Planes seen;
-  for (std::size_t c = 0; c < 3; ++c)
-    seen[c] = filtered(opponent[c], contrast_filter(kChannels[c], pixels_per_degree));
+  for (std::size_t c = 0; c < 3; ++c) seen[c] = filtered(opponent[c], contrast_filter(kChannels[c], pixels_per_degree));
   return seen;
 }
 
 Color3 hunt_lab(const Planes& seen, std::size_t pixel) {
-  Color3 linear =
-      linear_from_ycxcz({seen[0].values[pixel], seen[1].values[pixel], seen[2].values[pixel]});
+  Color3 linear = linear_from_ycxcz({seen[0].values[pixel], seen[1].values[pixel], seen[2].values[pixel]});
   for (double& value : linear) value = std::clamp(value, 0.0, 1.0);
   return hunt_lab_from_linear(linear);
 }
@@ -90,7 +88,9 @@ Features find_features(const Plane& luminance, double pixels_per_degree) {
 
 // Section 4.2: the larger of the differences in edge and point strength; sqrt(2) is the largest strength.
 double feature_error(const Features& a, const Features& b, std::size_t pixel) {
-  const auto strength = [pixel](const Plane& x, const Plane& y) { return std::hypot(x.values[pixel], y.values[pixel]); };
+  const auto strength = [pixel](const Plane& x, const Plane& y) {
+    return std::hypot(x.values[pixel], y.values[pixel]);
+  };
   const double edge = std::fabs(strength(a.edge_x, a.edge_y) - strength(b.edge_x, b.edge_y));
   const double point = std::fabs(strength(a.point_x, a.point_y) - strength(b.point_x, b.point_y));
   return std::clamp(std::sqrt(std::max(edge, point) / std::sqrt(2.0)), 0.0, 1.0);
@@ -108,7 +108,7 @@ FlipError flip(const Image& reference, const Image& test, float exposure_ev, dou
   check_pair(reference, test);
   if (!(pixels_per_degree > 0.0 && pixels_per_degree <= 10000.0))
     throw Error(ErrorKind::usage, "FLIP: pixels per degree must be above 0 and at most 10000");
-  if (!std::isfinite(exposure_ev)) throw Error(ErrorKind::usage, "FLIP: the exposure must be finite");
+  if (!(std::fabs(exposure_ev) <= 100.0f)) throw Error(ErrorKind::usage, "FLIP: the exposure must be within +-100 EV");
   const double gain = std::exp2(static_cast<double>(exposure_ev));
   const Planes opponent_a = opponent_planes(reference, gain);
   const Planes opponent_b = opponent_planes(test, gain);

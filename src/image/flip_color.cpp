@@ -7,12 +7,13 @@ namespace {
 
 // Linear Rec.709 to XYZ for the white point D65 at chromaticity (0.3127, 0.3290), as exact fractions: primaries
 // (0.64, 0.33), (0.30, 0.60), (0.15, 0.06) scaled so that (1, 1, 1) has that white and Y = 1.
-constexpr double kXyzFromLinear[3][3] = {
-    {10135552.0 / 24577794.0, 8788810.0 / 24577794.0, 4435075.0 / 24577794.0},
-    {2613072.0 / 12288897.0, 8788810.0 / 12288897.0, 887015.0 / 12288897.0},
-    {1425312.0 / 73733382.0, 8788810.0 / 73733382.0, 70074185.0 / 73733382.0}};
+constexpr double kXyzFromLinear[3][3] = {{10135552.0 / 24577794.0, 8788810.0 / 24577794.0, 4435075.0 / 24577794.0},
+                                         {2613072.0 / 12288897.0, 8788810.0 / 12288897.0, 887015.0 / 12288897.0},
+                                         {1425312.0 / 73733382.0, 8788810.0 / 73733382.0, 70074185.0 / 73733382.0}};
 
-double row_sum(int row) { return kXyzFromLinear[row][0] + kXyzFromLinear[row][1] + kXyzFromLinear[row][2]; }
+double row_sum(int row) {
+  return kXyzFromLinear[row][0] + kXyzFromLinear[row][1] + kXyzFromLinear[row][2];
+}
 
 // XYZ divided by that of white (1, 1, 1).
 Color3 relative_xyz(const Color3& linear) {

@@ -22,8 +22,8 @@ Value load(const std::byte* bytes) {
 bool read_block(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int y_begin, int y_end, std::byte* bytes) {
   if (spec.tile_width == 0)
     return input.read_scanlines(0, 0, y_begin, y_end, 0, 0, spec.nchannels, OIIO::TypeUnknown, bytes);
-  return input.read_tiles(0, 0, spec.x, spec.x + spec.width, y_begin, y_end, 0, 1, 0, spec.nchannels,
-                          OIIO::TypeUnknown, bytes);
+  return input.read_tiles(0, 0, spec.x, spec.x + spec.width, y_begin, y_end, 0, 1, 0, spec.nchannels, OIIO::TypeUnknown,
+                          bytes);
 }
 
 }  // namespace
@@ -37,8 +37,8 @@ void read_rows(const std::string& path, OIIO::ImageInput& input, const TakeRows&
     if (!read_block(input, spec, spec.y + row, spec.y + row + row_count, bytes.data())) {
       std::string reason = input.geterror();
       std::replace(reason.begin(), reason.end(), '\n', ' ');
-      throw Error(ErrorKind::refused, path + ": row " + std::to_string(row) + ": " +
-                                          (reason.empty() ? "cannot be decoded" : reason));
+      throw Error(ErrorKind::refused,
+                  path + ": row " + std::to_string(row) + ": " + (reason.empty() ? "cannot be decoded" : reason));
     }
     take(bytes.data(), row_count);
   }

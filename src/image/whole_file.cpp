@@ -18,7 +18,9 @@ namespace fs = std::filesystem;
   throw Error(ErrorKind::failed, path + ": cannot write: " + reason);
 }
 
-std::string reason_of(int error_number) { return std::generic_category().message(error_number); }
+std::string reason_of(int error_number) {
+  return std::generic_category().message(error_number);
+}
 
 // The file behind a chain of symbolic links, which may not exist yet.
 fs::path follow_links(const std::string& path) {

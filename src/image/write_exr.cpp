@@ -10,8 +10,7 @@ namespace {
 constexpr std::size_t kValueBytes = 4;  // float32 and uint32 alike
 
 const std::byte* bytes_of(const Layer& layer) {
-  return std::visit([](const auto& values) { return reinterpret_cast<const std::byte*>(values.data()); },
-                    layer.values);
+  return std::visit([](const auto& values) { return reinterpret_cast<const std::byte*>(values.data()); }, layer.values);
 }
 
 OIIO::ImageSpec exr_spec(const ImageFile& image) {

@@ -100,14 +100,20 @@ std::string layer_path(const std::string& path, const std::string& layer_name) {
 void write_image(const std::string& path, const ImageFile& image, const DisplayTransform& display) {
   const FileFormat format = file_format(path, ErrorKind::usage);
   check_image(path, image);
+  // Beyond, 2^EV times a value leaves the range of numbers.
+  if (!(std::fabs(display.exposure_ev) <= 100.0f))
+    throw Error(ErrorKind::usage, path + ": the exposure must be within +-100 EV");
   if (format == FileFormat::exr) return write_exr(path, image);
   for (const Layer& layer : image.layers) {
     if (layer.name.find('/') != std::string::npos)
       throw Error(ErrorKind::failed, path + ": layer '" + layer.name + "': the name cannot be part of a file name");
     const std::string file = layer_path(path, layer.name);
-    if (format == FileFormat::tiff) write_tiff(file, image, layer);
-    else if (format == FileFormat::hdr) write_hdr(file, image, layer);
-    else write_8_bit(file, format, image, layer, display);
+    if (format == FileFormat::tiff)
+      write_tiff(file, image, layer);
+    else if (format == FileFormat::hdr)
+      write_hdr(file, image, layer);
+    else
+      write_8_bit(file, format, image, layer, display);
   }
 }
 

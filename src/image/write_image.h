@@ -19,8 +19,8 @@ namespace vernier {
 /// does JPEG beyond 60000 bytes.
 ///
 /// Equal arguments make equal bytes. Each file is written whole or not at all; where a later one fails, earlier ones
-/// stay. Throws Error(usage) for an unknown extension, Error(failed) with the path for everything that does not fit
-/// (no layer, sizes that disagree, a channel twice) and for every failure to write (write_whole).
+/// stay. Throws Error(usage) for an unknown extension or exposure, Error(failed) with the path for everything that does
+/// not fit (no layer, sizes that disagree, a channel twice) and for every failure to write (write_whole).
 void write_image(const std::string& path, const ImageFile& image, const DisplayTransform& display);
 
 /// Where write_image puts the layer `layer_name` in formats of one layer a file: `NAME.LAYER.EXT` for `NAME.EXT`,

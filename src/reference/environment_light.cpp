@@ -57,7 +57,9 @@ std::array<glm::dvec3, 9> integrate_image(const Scene& scene) {
       for (int i = 0; i < 9; ++i) sums[i] += basis[i] * radiance;
     }
   }
-  for (glm::dvec3& sum : sums) sum *= 2.0 * kPi * kPi / (static_cast<double>(rows) * columns);
+  // The exact solid angle of a cell over the sine of its middle, so that a uniform image comes out exactly.
+  const double solid_angle = 2.0 * kPi / columns * 2.0 * std::sin(kPi / (2.0 * rows));
+  for (glm::dvec3& sum : sums) sum *= solid_angle;
   return sums;
 }
 

@@ -14,7 +14,8 @@ struct EnvironmentLight {
 };
 
 /// Prepares the environment of `scene`. For an image the radiance is integrated over the sphere numerically: midpoint
-/// rule on at least 1024 x 512 cells in (u, v) that the bilinear filter has no kink inside of, error below 1e-5.
+/// rule on at least 1024 x 512 cells in (u, v) that the bilinear filter has no kink inside of, error below 1e-5 of the
+/// brightest texel.
 EnvironmentLight prepare_environment(const Scene& scene);
 
 /// Radiance that arrives from the unit direction `direction`: "Image formation" section 5.

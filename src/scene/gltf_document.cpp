@@ -20,6 +20,9 @@ using nlohmann::json;
 /// A GLB cannot be longer; a text file or buffer beyond it is no still image's scene.
 constexpr std::uint64_t kMaxFileBytes = 0xFFFFFFFFu;
 
+/// Nobody reads more, and a hostile file has a fault in each of its million objects.
+constexpr std::size_t kMaxWarnings = 100;
+
 /// An image is kept out of tinygltf's way, but its loader must exist.
 bool leave_image_encoded(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*, int,
                          void*) {
@@ -93,23 +96,25 @@ GltfImage describe_image(const GltfDocument& document, const json& image, std::s
 }
 
 // tinygltf refuses indices whose accessor has no bufferView, which KHR_draco_mesh_compression calls for: such accessors
-// are lent one beyond the last, and lose it after parsing.
-int lend_views(json& root) {
+// are lent one beyond the last, and lose it after parsing. Returns which were.
+std::vector<bool> lend_views(json& root) {
   if (!root.contains("bufferViews") || !root["bufferViews"].is_array()) root["bufferViews"] = json::array();
-  const int lent = static_cast<int>(root["bufferViews"].size());
+  const std::size_t lent_view = root["bufferViews"].size();
   root["bufferViews"].push_back({{"buffer", 0}, {"byteLength", 1}});
+  std::vector<bool> lent;
   const auto accessors = root.find("accessors");
   if (accessors == root.end() || !accessors->is_array()) return lent;
   for (json& accessor : *accessors) {
-    if (accessor.is_object() && !accessor.contains("bufferView")) accessor["bufferView"] = lent;
+    lent.push_back(accessor.is_object() && !accessor.contains("bufferView"));
+    if (lent.back()) accessor["bufferView"] = lent_view;
   }
   return lent;
 }
 
-void take_views_back(tinygltf::Model& model, int lent) {
-  model.bufferViews.resize(static_cast<std::size_t>(lent));
-  for (tinygltf::Accessor& accessor : model.accessors) {
-    if (accessor.bufferView == lent) accessor.bufferView = -1;
+void take_views_back(tinygltf::Model& model, const std::vector<bool>& lent) {
+  model.bufferViews.pop_back();
+  for (std::size_t i = 0; i < lent.size() && i < model.accessors.size(); ++i) {
+    if (lent[i]) model.accessors[i].bufferView = -1;
   }
 }
 
@@ -119,7 +124,7 @@ std::string first_line(const std::string& text) {
 }
 
 void parse_model(GltfDocument& document, json& root) {
-  const int lent = lend_views(root);
+  const std::vector<bool> lent = lend_views(root);
   tinygltf::TinyGLTF parser;
   parser.SetImageLoader(leave_image_encoded, nullptr);
   std::string error;
@@ -153,9 +158,12 @@ void refuse_gltf(const GltfDocument& document, const std::string& place, const s
 
 void warn_gltf(GltfDocument& document, const std::string& place, const std::string& what) {
   const std::string line = place.empty() ? what : place + ": " + what;
-  if (std::find(document.warnings.begin(), document.warnings.end(), line) == document.warnings.end()) {
-    document.warnings.push_back(line);
+  const std::size_t count = document.warnings.size();
+  if (count > kMaxWarnings ||
+      std::find(document.warnings.begin(), document.warnings.end(), line) != document.warnings.end()) {
+    return;
   }
+  document.warnings.push_back(count < kMaxWarnings ? line : "further warnings are left out");
 }
 
 void unsupported_gltf(GltfDocument& document, const std::string& place, const std::string& what) {

@@ -44,7 +44,7 @@ struct GltfDocument {
 /// Throws Error(refused) `path: place: what`; an empty place is left out.
 [[noreturn]] void refuse_gltf(const GltfDocument& document, const std::string& place, const std::string& what);
 
-/// Adds the warning `place: what`; the same line is added once.
+/// Adds the warning `place: what`; the same line is added once, and after a hundred no more.
 void warn_gltf(GltfDocument& document, const std::string& place, const std::string& what);
 
 /// A feature the renderer leaves out: a warning, or in a strict document Error(refused).

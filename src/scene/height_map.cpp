@@ -7,7 +7,9 @@
 namespace vernier {
 namespace {
 
-std::size_t texel_count(const Texels& texels) { return std::size_t{texels.width} * texels.height; }
+std::size_t texel_count(const Texels& texels) {
+  return std::size_t{texels.width} * texels.height;
+}
 
 // The values as stored: an 8-bit image is read without the sRGB curve.
 Texels without_curve(const Texels& texels) {

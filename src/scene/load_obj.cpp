@@ -4,6 +4,7 @@
 #include "scene/obj_meshes.h"
 #include "scene/parse_obj.h"
 #include "scene/read_text.h"
+#include "scene/text_words.h"
 #include "scene/validate_scene.h"
 
 namespace vernier {
@@ -20,12 +21,16 @@ MaterialChoice choose_materials(Scene& scene, const ObjGeometry& geometry,
   MaterialChoice choice;
   choice.none = static_cast<std::uint32_t>(scene.materials.size());
   scene.materials.push_back(default_obj_material());
+  std::size_t unknown_count = 0;
+  std::string first_unknown;
   for (const std::string& name : geometry.material_names) {
     const auto found = index_by_name.find(name);
     choice.by_name.push_back(found == index_by_name.end() ? choice.none : found->second);
-    if (found == index_by_name.end()) {
-      scene.warnings.push_back(scene.source + ": material " + name + " is in no material library and is shown grey");
-    }
+    if (found == index_by_name.end() && unknown_count++ == 0) first_unknown = name;
+  }
+  if (unknown_count > 0) {
+    scene.warnings.push_back(scene.source + ": " + std::to_string(unknown_count) + " materials, first " +
+                             printable(first_unknown) + ", are in no material library and are shown grey");
   }
   return choice;
 }

@@ -20,7 +20,9 @@ constexpr std::size_t kMaxLibraries = 256;
 constexpr std::array<std::string_view, 8> kSilentKeywords = {"bevel", "c_interp",   "d_interp",  "lod",
                                                              "mg",    "shadow_obj", "trace_obj", "ctech"};
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
+bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
 
 bool is_plain_number(std::string_view word) {
   bool has_digit = false;
@@ -57,13 +59,6 @@ std::string_view face_corner(std::string_view word) {
     }
   }
   return !word.empty() && word[0] != '/' && is_digit(word.back()) ? word : std::string_view{};
-}
-
-std::string quoted(std::string_view word) {
-  constexpr std::size_t kLongest = 40;
-  std::string shown = "'";
-  for (const char c : word.substr(0, kLongest)) shown += c >= ' ' && c <= '~' ? c : '?';
-  return shown + "'";
 }
 
 }  // namespace
@@ -129,11 +124,11 @@ void ObjLineFilter::write_vertex(std::string_view line, std::string_view keyword
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
     const bool plain = is_plain_number(word);
     if (!plain && word[0] == '#') break;
-    if (!plain && !is_non_finite(word)) refuse(quoted(word) + " is not a number");
+    if (!plain && !is_non_finite(word)) refuse(printable(word) + " is not a number");
     out_.append(" ").append(plain ? word : kInfinity);
     ++count;
   }
-  if (count < least) refuse(quoted(line) + " has fewer than " + std::to_string(least) + " numbers");
+  if (count < least) refuse(printable(line) + " has fewer than " + std::to_string(least) + " numbers");
   out_ += '\n';
 }
 
@@ -142,7 +137,7 @@ void ObjLineFilter::write_face(std::string_view rest) {
   std::uint32_t count = 0;
   for (std::string_view word = take_word(rest); !word.empty() && word[0] != '#'; word = take_word(rest)) {
     const std::string_view corner = face_corner(word);
-    if (corner.empty()) refuse(quoted(word) + " is not a corner of a face");
+    if (corner.empty()) refuse(printable(word) + " is not a corner of a face");
     out_.append(" ").append(corner);
     ++count;
   }
@@ -188,7 +183,7 @@ void ObjLineFilter::keep_libraries(std::string_view rest) {
 
 void ObjLineFilter::keep_unknown(std::string_view keyword) {
   if (statements_.unknown_keywords.size() >= kUnknownKeywordCount) return;
-  statements_.unknown_keywords.emplace(quoted(keyword), line_);
+  statements_.unknown_keywords.emplace(printable(keyword), line_);
 }
 
 void ObjLineFilter::refuse(const std::string& what) const {

@@ -11,25 +11,25 @@ namespace vernier {
 
 /// What the filter took out of an OBJ text or counted in it. Lines count from 1.
 struct ObjStatements {
-  std::vector<std::uint32_t> face_lines;                 ///< line of each face, in file order
-  std::vector<std::uint32_t> face_corner_counts;         ///< corners of each face, >= 3
-  std::vector<std::string> material_names;               ///< of usemtl; tinyobj's material ids index it
-  std::vector<std::string> material_libraries;           ///< file names of all mtllib, as written
-  std::size_t thin_element_count = 0;                    ///< lines and points
-  std::size_t thin_element_line = 0;                     ///< where the first is
-  std::size_t short_face_count = 0;                      ///< faces of one or two corners, left out
-  std::size_t short_face_line = 0;                       ///< where the first is
-  std::map<std::string, std::size_t> unknown_keywords;   ///< keyword and its first line; at most kUnknownKeywordCount
+  std::vector<std::uint32_t> face_lines;                ///< line of each face, in file order
+  std::vector<std::uint32_t> face_corner_counts;        ///< corners of each face, >= 3
+  std::vector<std::string> material_names;              ///< of usemtl; tinyobj's material ids index it
+  std::vector<std::string> material_libraries;          ///< file names of all mtllib, as written
+  std::size_t thin_element_count = 0;                   ///< lines and points
+  std::size_t thin_element_line = 0;                    ///< where the first is
+  std::size_t short_face_count = 0;                     ///< faces of one or two corners, left out
+  std::size_t short_face_line = 0;                      ///< where the first is
+  std::map<std::string, std::size_t> unknown_keywords;  ///< keyword and its first line; at most kUnknownKeywordCount
 };
 
 /// Most unknown keywords that are kept by name: a binary file has no end of them.
 inline constexpr std::size_t kUnknownKeywordCount = 8;
 
-/// Hands an OBJ text to tinyobjloader line by line, with what version 2.0rc10 would read wrongly put right: lines joined
-/// at a trailing backslash, numbers that are none refused and NaN and infinity passed on as infinity (it reads them as
-/// 0), faces counted by corners (it keeps 8 bits of the count), names of materials and libraries kept whole (it cuts
-/// them at spaces and backslashes), lines and points taken out (it copies them again at every usemtl).
-/// Reading throws Error(refused) with `file` and line for a number or an index that is none.
+/// Hands an OBJ text to tinyobjloader line by line, with what version 2.0rc10 would read wrongly put right: lines
+/// joined at a trailing backslash, numbers that are none refused and NaN and infinity passed on as infinity (it reads
+/// them as 0), faces counted by corners (it keeps 8 bits of the count), names of materials and libraries kept whole (it
+/// cuts them at spaces and backslashes), lines and points taken out (it copies them again at every usemtl). Reading
+/// throws Error(refused) with `file` and line for a number or an index that is none.
 class ObjLineFilter : public std::streambuf {
  public:
   /// `file` names the text in errors.

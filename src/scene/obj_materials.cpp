@@ -6,6 +6,7 @@
 
 #include "error.h"
 #include "scene/read_text.h"
+#include "scene/text_words.h"
 
 namespace vernier {
 namespace {
@@ -16,12 +17,20 @@ constexpr glm::dvec3 kDefaultDiffuse(0.8);  // a light clay, as most viewers sho
 constexpr double kDefaultExponent = 10.0;   // a wide highlight, as of matt plastic
 constexpr double kDefaultIor = 1.5;         // window glass
 
-const MtlTexture& map_of(const MtlMaterial& source, MtlMap map) { return source.maps[static_cast<std::size_t>(map)]; }
-bool has_map(const MtlMaterial& source, MtlMap map) { return !map_of(source, map).file.empty(); }
+const MtlTexture& map_of(const MtlMaterial& source, MtlMap map) {
+  return source.maps[static_cast<std::size_t>(map)];
+}
+bool has_map(const MtlMaterial& source, MtlMap map) {
+  return !map_of(source, map).file.empty();
+}
 
 // Large values become the largest float, so that no product with a texture starts from infinity.
-float finite_float(double value) { return static_cast<float>(std::clamp(value, -1e30, 1e30)); }
-glm::vec3 finite_floats(const glm::dvec3& v) { return {finite_float(v.x), finite_float(v.y), finite_float(v.z)}; }
+float finite_float(double value) {
+  return static_cast<float>(std::clamp(value, -1e30, 1e30));
+}
+glm::vec3 finite_floats(const glm::dvec3& v) {
+  return {finite_float(v.x), finite_float(v.y), finite_float(v.z)};
+}
 
 glm::dvec3 color_or_map(const std::optional<glm::dvec3>& color, const MtlMaterial& source, MtlMap map,
                         const glm::dvec3& absent) {
@@ -37,12 +46,17 @@ int illumination_of(const MtlMaterial& source, const std::string& place, std::ve
   const int absent = shiny ? 2 : 1;
   const int model = source.illumination.value_or(absent);
   if (model >= 0 && model <= 9) return model;
-  warnings.push_back(place + ": illumination model " + std::to_string(model) + " is shown as " + std::to_string(absent));
+  warnings.push_back(place + ": illumination model " + std::to_string(model) + " is shown as " +
+                     std::to_string(absent));
   return absent;
 }
 
-bool is_mirror(int illumination) { return illumination == 3 || illumination == 5 || illumination == 8; }
-bool is_glass(int illumination) { return illumination == 4 || illumination == 6 || illumination == 7 || illumination == 9; }
+bool is_mirror(int illumination) {
+  return illumination == 3 || illumination == 5 || illumination == 8;
+}
+bool is_glass(int illumination) {
+  return illumination == 4 || illumination == 6 || illumination == 7 || illumination == 9;
+}
 
 void make_glass(Material& material, const MtlMaterial& source, double opacity, const std::string& place,
                 std::vector<std::string>& warnings) {
@@ -66,8 +80,9 @@ void warn_unsupported(Scene& scene, const LoadOptions& options, const std::strin
 
 Material default_obj_material() {
   std::vector<std::string> none;
-  Material material = blinn_material({.name = "default"}, "", none);
-  return material;
+  MtlMaterial source;
+  source.name = "default";
+  return blinn_material(source, source.name, none);
 }
 
 Material blinn_material(const MtlMaterial& source, const std::string& place, std::vector<std::string>& warnings) {
@@ -104,7 +119,9 @@ namespace {
 
 void add_textures(Scene& scene, ObjTextures& textures, Material& material, const MtlMaterial& source,
                   const std::string& folder) {
-  const auto use = [&](MtlMap map, MtlMapUse as) { return use_obj_texture(scene, textures, map_of(source, map), as, folder); };
+  const auto use = [&](MtlMap map, MtlMapUse as) {
+    return use_obj_texture(scene, textures, map_of(source, map), as, folder);
+  };
   std::array<TextureUse, TEXTURE_SLOT_COUNT>& slots = material.textures;
   slots[TEXTURE_SLOT_BASE_COLOR] = use(MtlMap::diffuse, MtlMapUse::color);
   slots[TEXTURE_SLOT_EMISSION] = use(MtlMap::emission, MtlMapUse::color);
@@ -120,7 +137,9 @@ void add_textures(Scene& scene, ObjTextures& textures, Material& material, const
   if (slots[TEXTURE_SLOT_NORMAL].texture < 0) slots[TEXTURE_SLOT_NORMAL] = use(MtlMap::bump, MtlMapUse::height);
 }
 
-std::string folder_of(const std::string& path) { return path.substr(0, path.find_last_of('/') + 1); }
+std::string folder_of(const std::string& path) {
+  return path.substr(0, path.find_last_of('/') + 1);
+}
 
 }  // namespace
 
@@ -133,9 +152,11 @@ std::map<std::string, std::uint32_t> load_obj_materials(Scene& scene, const std:
     std::ranges::replace(name, '\\', '/');
     std::string path = name.starts_with('/') ? name : textures.obj_folder + name;
     std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored)) path = textures.obj_folder + name.substr(name.find_last_of('/') + 1);
+    if (!std::filesystem::is_regular_file(path, ignored))
+      path = textures.obj_folder + name.substr(name.find_last_of('/') + 1);
     if (!std::filesystem::is_regular_file(path, ignored)) {
-      scene.warnings.push_back(obj_path + ": material library " + name + " is not there; its materials are grey");
+      scene.warnings.push_back(obj_path + ": material library " + printable(name) +
+                               " is not there; its materials are grey");
       continue;
     }
     const MtlLibrary library = parse_mtl(read_text(path));
@@ -143,7 +164,7 @@ std::map<std::string, std::uint32_t> load_obj_materials(Scene& scene, const std:
     for (const std::string& line : library.faults) scene.warnings.push_back(path + ": " + line);
     for (const MtlMaterial& source : library.materials) {
       if (!index_by_name.try_emplace(source.name, static_cast<std::uint32_t>(scene.materials.size())).second) continue;
-      scene.materials.push_back(blinn_material(source, path + ": material " + source.name, scene.warnings));
+      scene.materials.push_back(blinn_material(source, path + ": material " + printable(source.name), scene.warnings));
       add_textures(scene, textures, scene.materials.back(), source, folder_of(path));
     }
   }

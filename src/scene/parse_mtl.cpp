@@ -1,9 +1,11 @@
 #include "scene/parse_mtl.h"
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "scene/text_words.h"
 
@@ -23,15 +25,15 @@ const std::map<std::string_view, std::optional<glm::dvec3> MtlMaterial::*> kColo
     {"Ke", &MtlMaterial::emission}, {"Tf", &MtlMaterial::transmission}, {"Kt", &MtlMaterial::transmission}};
 
 const std::map<std::string_view, MtlMap> kMaps = {
-    {"map_Kd", MtlMap::diffuse},  {"map_Ks", MtlMap::specular}, {"map_Ka", MtlMap::ambient}, {"map_Ke", MtlMap::emission},
-    {"map_Ns", MtlMap::exponent}, {"map_d", MtlMap::dissolve},  {"map_bump", MtlMap::bump},  {"map_Bump", MtlMap::bump},
-    {"bump", MtlMap::bump},       {"norm", MtlMap::normal},     {"map_Kn", MtlMap::normal}};
+    {"map_Kd", MtlMap::diffuse},  {"map_Ks", MtlMap::specular}, {"map_Ka", MtlMap::ambient},
+    {"map_Ke", MtlMap::emission}, {"map_Ns", MtlMap::exponent}, {"map_d", MtlMap::dissolve},
+    {"map_bump", MtlMap::bump},   {"map_Bump", MtlMap::bump},   {"bump", MtlMap::bump},
+    {"norm", MtlMap::normal},     {"map_Kn", MtlMap::normal}};
 
 // Options of maps and the most values they take. Those that only steer filtering are dropped without a word.
-const std::map<std::string_view, int> kOptionValues = {{"-s", 3},      {"-o", 3},      {"-t", 3},      {"-mm", 2},
-                                                       {"-bm", 1},     {"-clamp", 1},  {"-imfchan", 1}, {"-type", 1},
-                                                       {"-blendu", 1}, {"-blendv", 1}, {"-boost", 1},  {"-texres", 1},
-                                                       {"-cc", 1},     {"-colorspace", 1}};
+const std::map<std::string_view, int> kOptionValues = {
+    {"-s", 3},    {"-o", 3},      {"-t", 3},      {"-mm", 2},    {"-bm", 1},     {"-clamp", 1}, {"-imfchan", 1},
+    {"-type", 1}, {"-blendu", 1}, {"-blendv", 1}, {"-boost", 1}, {"-texres", 1}, {"-cc", 1},    {"-colorspace", 1}};
 
 bool is_numeric_option(std::string_view option) {
   return option == "-s" || option == "-o" || option == "-t" || option == "-mm" || option == "-bm" || option == "-boost";
@@ -55,7 +57,7 @@ class MtlParser {
  private:
   void statement(std::string_view keyword, std::string_view rest) {
     if (keyword == "newmtl") {
-      library_.materials.push_back({.name = std::string(rest)});
+      library_.materials.emplace_back().name = rest;
       has_dissolve_ = false;
       return;
     }
@@ -207,6 +209,8 @@ class MtlParser {
 
 }  // namespace
 
-MtlLibrary parse_mtl(std::string_view text) { return MtlParser().parse(text); }
+MtlLibrary parse_mtl(std::string_view text) {
+  return MtlParser().parse(text);
+}
 
 }  // namespace vernier

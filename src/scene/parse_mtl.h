@@ -28,15 +28,15 @@ struct MtlTexture {
 /// A material as written; what is absent stays empty, because absent and black mean different things.
 struct MtlMaterial {
   std::string name;
-  std::optional<glm::dvec3> diffuse;       ///< Kd
-  std::optional<glm::dvec3> specular;      ///< Ks
-  std::optional<glm::dvec3> ambient;       ///< Ka
-  std::optional<glm::dvec3> emission;      ///< Ke
-  std::optional<glm::dvec3> transmission;  ///< Tf, Kt
-  std::optional<double> exponent;          ///< Ns
-  std::optional<double> ior;               ///< Ni
-  std::optional<double> opacity;           ///< d, or 1 - Tr where there is no d
-  std::optional<int> illumination;         ///< illum
+  std::optional<glm::dvec3> diffuse;          ///< Kd
+  std::optional<glm::dvec3> specular;         ///< Ks
+  std::optional<glm::dvec3> ambient;          ///< Ka
+  std::optional<glm::dvec3> emission;         ///< Ke
+  std::optional<glm::dvec3> transmission;     ///< Tf, Kt
+  std::optional<double> exponent;             ///< Ns
+  std::optional<double> ior;                  ///< Ni
+  std::optional<double> opacity;              ///< d, or 1 - Tr where there is no d
+  std::optional<int> illumination;            ///< illum
   std::array<MtlTexture, kMtlMapCount> maps;  ///< by MtlMap
 };
 
@@ -48,9 +48,9 @@ struct MtlLibrary {
 };
 
 /// Reads the text of an MTL file. tinyobjloader 2.0rc10 would not do: it cannot tell an absent value from a zero, takes
-/// the file name for a number after `-s 2 2`, and knows no options after the file name. Names of materials and files may have
-/// spaces. A colour of one number is grey. Statements before the first newmtl are ignored. Never throws for any text;
-/// non-finite numbers are faults; each kind of unsupported statement is told once.
+/// the file name for a number after `-s 2 2`, and knows no options after the file name. Names of materials and files
+/// may have spaces. A colour of one number is grey. Statements before the first newmtl are ignored. Never throws for
+/// any text; non-finite numbers are faults; each kind of unsupported statement is told once.
 MtlLibrary parse_mtl(std::string_view text);
 
 }  // namespace vernier

@@ -1,4 +1,6 @@
 #define TINYOBJLOADER_USE_DOUBLE
+#include "scene/parse_obj.h"
+
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
@@ -7,7 +9,6 @@
 #include <span>
 
 #include "error.h"
-#include "scene/parse_obj.h"
 #include "scene/obj_line_filter.h"
 #include "scene/polygon_triangles.h"
 
@@ -55,8 +56,9 @@ ParsedObj read_statements(const std::string& file, std::string text) {
 
 void check_index(const std::string& file, std::size_t line, const char* what, int index, std::size_t count) {
   if (index < -1 || index >= static_cast<std::int64_t>(count)) {
-    refuse(file, line, std::string(what) + " " + std::to_string(std::int64_t{index} + 1) + " is beyond the " +
-                           std::to_string(count) + " of the file");
+    refuse(file, line,
+           std::string(what) + " " + std::to_string(std::int64_t{index} + 1) + " is beyond the " +
+               std::to_string(count) + " of the file");
   }
 }
 
@@ -134,7 +136,8 @@ class FaceCutter {
 
 void note_left_out(const ObjStatements& statements, ObjGeometry& geometry) {
   if (statements.thin_element_count > 0) {
-    geometry.unsupported.push_back("line " + std::to_string(statements.thin_element_line) + ": lines and points are not drawn (" +
+    geometry.unsupported.push_back("line " + std::to_string(statements.thin_element_line) +
+                                   ": lines and points are not drawn (" +
                                    std::to_string(statements.thin_element_count) + ")");
   }
   if (!statements.unknown_keywords.empty()) {
@@ -147,7 +150,8 @@ void note_left_out(const ObjStatements& statements, ObjGeometry& geometry) {
     geometry.unsupported.push_back("line " + std::to_string(line) + ": statements that are not supported: " + list);
   }
   if (statements.short_face_count > 0) {
-    geometry.faults.push_back("line " + std::to_string(statements.short_face_line) + ": faces of fewer than 3 corners are left out (" +
+    geometry.faults.push_back("line " + std::to_string(statements.short_face_line) +
+                              ": faces of fewer than 3 corners are left out (" +
                               std::to_string(statements.short_face_count) + ")");
   }
 }

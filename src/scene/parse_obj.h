@@ -18,7 +18,7 @@ struct ObjCorner {
 /// A triangle of an OBJ face.
 struct ObjTriangle {
   std::array<ObjCorner, 3> corners;
-  int material = -1;                 ///< indexes ObjGeometry::material_names, -1 for none
+  int material = -1;                  ///< indexes ObjGeometry::material_names, -1 for none
   std::uint32_t smoothing_group = 0;  ///< 0: none
 };
 

@@ -5,7 +5,8 @@
 namespace vernier {
 namespace {
 
-// A polygon that needs more point tests than this per corner is not simple or is made to stall: the rest is cut unchecked.
+// A polygon that needs more point tests than this per corner is not simple or is made to stall: the rest is cut
+// unchecked.
 constexpr std::size_t kTestsPerCorner = 8192;
 
 // Normal of a polygon whose length is twice its area (Newell's method), about the first corner to keep far ones exact.

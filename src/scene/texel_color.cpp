@@ -16,7 +16,8 @@ glm::vec4 texel_color(const Texels& texels, std::size_t index) {
   const auto channel = [&](unsigned shift) { return float((word >> shift) & 255u) / 255.0f; };
   const glm::vec4 stored(channel(0), channel(8), channel(16), channel(24));
   if (texels.format == TEXTURE_FORMAT_LINEAR8) return stored;
-  return {float(linear_from_srgb(stored.r)), float(linear_from_srgb(stored.g)), float(linear_from_srgb(stored.b)), stored.a};
+  return {float(linear_from_srgb(stored.r)), float(linear_from_srgb(stored.g)), float(linear_from_srgb(stored.b)),
+          stored.a};
 }
 
 }  // namespace vernier

@@ -7,8 +7,8 @@
 
 namespace vernier {
 
-/// Texel `index` (row * width + column) of `texels` as linear rgba, whatever its format. Exact for TEXTURE_FORMAT_FLOAT.
-/// `index` is below width * height; the words fit format and size.
+/// Texel `index` (row * width + column) of `texels` as linear rgba, whatever its format. Exact for
+/// TEXTURE_FORMAT_FLOAT. `index` is below width * height; the words fit format and size.
 glm::vec4 texel_color(const Texels& texels, std::size_t index);
 
 }  // namespace vernier

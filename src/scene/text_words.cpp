@@ -32,4 +32,11 @@ std::string_view take_last_word(std::string_view& text) {
   return word;
 }
 
+std::string printable(std::string_view text) {
+  constexpr std::size_t kLongest = 40;
+  std::string shown = "'";
+  for (const char c : text.substr(0, kLongest)) shown += c >= ' ' && c <= '~' ? c : '?';
+  return shown + "'";
+}
+
 }  // namespace vernier

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace vernier {
@@ -10,10 +11,14 @@ inline constexpr std::string_view kBlanks = " \t\r\v\f";
 /// `text` without blanks at both ends.
 std::string_view trimmed(std::string_view text);
 
-/// Cuts the first blank-separated word off `text` and returns it; both empty at the end. `text` loses blanks at its start.
+/// Cuts the first blank-separated word off `text` and returns it; both empty at the end. `text` loses blanks at its
+/// start.
 std::string_view take_word(std::string_view& text);
 
 /// Cuts the last blank-separated word off `text` and returns it; empty at the end.
 std::string_view take_last_word(std::string_view& text);
+
+/// `text` in quotes for a message: what cannot be printed becomes '?', and what is beyond 40 characters is left out.
+std::string printable(std::string_view text);
 
 }  // namespace vernier

@@ -119,7 +119,8 @@ TEST_F(BufferTest, limits_are_refused_with_both_numbers) {
   expect_refused(storage + 4, BufferUse::storage, std::to_string(storage + 4), std::to_string(storage));
   expect_refused(storage + 4, BufferUse::storage_host_visible, std::to_string(storage + 4), std::to_string(storage));
   const std::uint64_t texels = limits.max_texel_buffer_elements;
-  expect_refused(16 * (texels + 1), BufferUse::texels_rgba32ui, std::to_string(16 * (texels + 1)), std::to_string(texels));
+  expect_refused(16 * (texels + 1), BufferUse::texels_rgba32ui, std::to_string(16 * (texels + 1)),
+                 std::to_string(texels));
   expect_refused(4 * (texels + 1), BufferUse::texels_r32ui, std::to_string(4 * (texels + 1)), std::to_string(texels));
   const std::uint64_t uniform = device().physical().getProperties().limits.maxUniformBufferRange;
   expect_refused(uniform + 4, BufferUse::uniform, std::to_string(uniform + 4), std::to_string(uniform));

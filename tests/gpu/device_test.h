@@ -22,7 +22,7 @@ inline std::string expected_device_name() {
 class DeviceTest : public testing::Test {
  protected:
   void SetUp() override {
-    instance_ = std::make_unique<Instance>(true);
+    instance_ = std::make_unique<VulkanInstance>(true);
     description_ = choose_device(list_devices(*instance_), expected_device_name());
     device_ = std::make_unique<Device>(*instance_, description_);
   }
@@ -33,11 +33,11 @@ class DeviceTest : public testing::Test {
     for (const std::string& message : instance_->validation_messages()) ADD_FAILURE() << message;
   }
 
-  const Instance& instance() const { return *instance_; }
+  const VulkanInstance& instance() const { return *instance_; }
   const Device& device() const { return *device_; }
 
  private:
-  std::unique_ptr<Instance> instance_;
+  std::unique_ptr<VulkanInstance> instance_;
   DeviceDescription description_;
   std::unique_ptr<Device> device_;
 };

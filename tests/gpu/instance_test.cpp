@@ -9,8 +9,8 @@ namespace {
 
 class InstanceTest : public DeviceTest {};
 
-TEST(Instance, collects_what_validation_finds_wrong) {
-  const Instance instance(true);
+TEST(VulkanInstance, collects_what_validation_finds_wrong) {
+  const VulkanInstance instance(true);
   const Device device(instance, choose_device(list_devices(instance), expected_device_name()));
   EXPECT_TRUE(instance.validation_messages().empty());
   {
@@ -23,25 +23,25 @@ TEST(Instance, collects_what_validation_finds_wrong) {
   EXPECT_EQ(messages.front().find('\n'), std::string::npos);
 }
 
-TEST(Instance, collects_nothing_without_validation) {
-  const Instance instance;
+TEST(VulkanInstance, collects_nothing_without_validation) {
+  const VulkanInstance instance;
   const Device device(instance, choose_device(list_devices(instance), expected_device_name()));
   EXPECT_TRUE(instance.validation_messages().empty());
 }
 
-TEST(Instance, the_environment_turns_validation_on) {
+TEST(VulkanInstance, the_environment_turns_validation_on) {
   ASSERT_EQ(setenv("VERNIER_VALIDATION", "1", 1), 0);
-  const Instance instance;
+  const VulkanInstance instance;
   unsetenv("VERNIER_VALIDATION");
   const Device device(instance, choose_device(list_devices(instance), expected_device_name()));
   { const vk::raii::Buffer wrong = device.vk().createBuffer(vk::BufferCreateInfo({}, 0, {})); }
   EXPECT_FALSE(instance.validation_messages().empty());
 }
 
-TEST(Instance, moving_keeps_the_devices) {
-  Instance first(true);
+TEST(VulkanInstance, moving_keeps_the_devices) {
+  VulkanInstance first(true);
   const std::size_t device_count = list_devices(first).size();
-  const Instance second(std::move(first));
+  const VulkanInstance second(std::move(first));
   EXPECT_EQ(list_devices(second).size(), device_count);
   EXPECT_GE(device_count, 1U);
 }
@@ -49,7 +49,7 @@ TEST(Instance, moving_keeps_the_devices) {
 TEST_F(InstanceTest, no_driver_is_an_error_of_its_own_kind) {
   ASSERT_EQ(setenv("VK_DRIVER_FILES", "/nonexistent.json", 1), 0);
   try {
-    const Instance instance;
+    const VulkanInstance instance;
     choose_device(list_devices(instance), "");
     ADD_FAILURE() << "a device was found without a driver";
   } catch (const Error& error) {

@@ -5,7 +5,8 @@ import re
 from house.source_tree import Finding, blank_comments
 
 # Nothing to say: what the compiler writes itself, and members that only hand a field on or store their arguments.
-SILENT = re.compile(r"=\s*(default|delete)\s*$|^\s*(explicit\s+)?(virtual\s+)?~")
+# An override means what the class above it documents.
+SILENT = re.compile(r"=\s*(default|delete)\s*$|^\s*(virtual\s+)?~|\boverride\b")
 NO_FUNCTION = re.compile(r"^\s*(using|typedef|static_assert|friend|return|layout|extern\s+template)\b")
 
 
@@ -32,9 +33,10 @@ def function_name(head: str) -> str | None:
 
 
 def declarations(text: str):
-    """Yields (line counted from 1, head, body) of what stands at namespace or type scope; body None without one."""
+    """Yields (line counted from 1, head, body) of what stands at namespace or public type scope; body None without one."""
     clean = blank_comments(text)
     scopes, start, index, line = [], None, 0, 1
+    hidden = set()  # depths whose last label is private
     while index < len(clean):
         character = clean[index]
         if character == "\n":
@@ -52,22 +54,30 @@ def declarations(text: str):
                 while re.match(r"\s*(,|\{)", clean[end + 1:]) and re.search(r"\)\s*:", clean[start:index]):
                     index = clean.index("{", end + 1)
                     end = matching_brace(clean, index)
-                yield start_line, head, clean[index:end + 1]
+                if not hidden:
+                    yield start_line, head, clean[index:end + 1]
                 line += clean.count("\n", index, end + 1)
                 index, start = end + 1, None
                 continue
             scopes.append("open" if is_open else "closed")
             if is_open:
+                if re.match(r"\s*(template\s*)?class\b", without_angles(head)):
+                    hidden.add(len(scopes))
                 start = None
         elif character == "}":
             if scopes:
+                hidden.discard(len(scopes))
                 scopes.pop()
         elif character == ";" and open_scope:
-            if start is not None:
+            if start is not None and not hidden:
                 yield start_line, clean[start:index], None
             start = None
         elif character == ":" and open_scope and start is not None and \
                 re.fullmatch(r"\s*(public|private|protected)\s*", clean[start:index]):
+            if "private" in clean[start:index]:
+                hidden.add(len(scopes))
+            else:
+                hidden.discard(len(scopes))
             start = None
         index += 1
 
@@ -110,7 +120,10 @@ def check_docstrings(texts: dict[str, str]) -> list[Finding]:
         documented = set()
         for line, head, body in declarations(text):
             name = function_name(head)
-            if name is None or is_obvious(head, body) or in_shaders and not is_called_elsewhere(name, path, texts):
+            if name is None or is_obvious(head, body):
+                continue
+            # A shader has no headers: what counts is what another file calls and cannot read at a glance.
+            if in_shaders and ("\n" not in (body or "") or not is_called_elsewhere(name, path, texts)):
                 continue
             above = lines[line - 2].strip() if line > 1 else ""
             if above.startswith(marker) or "///<" in lines[line - 1]:

@@ -27,6 +27,20 @@ struct Thing {
   T twice(T value) const { return value + value; }
   bool operator<(const Thing& other) const;
 };
+class Shelf : public Thing {
+  int hidden(int a);
+ public:
+  int shown(int a);
+  int size(int a) const override;
+ protected:
+  int half_shown(int a);
+ private:
+  int hidden_too(int a);
+  int with_body(int a) {
+    return a;
+  }
+};
+int after(int a);
 enum class Kind { first = 1, second = first };
 inline constexpr int kOne = one(1);
 }  // namespace vernier
@@ -47,7 +61,8 @@ EFFECTS = "#define EFFECT_A (1u << 0)\n#define EFFECT_B (1u << 1)\n#define EFFEC
 # (rule, files, the findings as (path, line))
 CASES = [
     (docstrings.check_docstrings, {"src/math/a.h": HEADER},
-     [("src/math/a.h", 6), ("src/math/a.h", 16), ("src/math/a.h", 24)]),
+     [("src/math/a.h", 6), ("src/math/a.h", 16), ("src/math/a.h", 29), ("src/math/a.h", 32),
+      ("src/math/a.h", 39)]),
     (docstrings.check_docstrings, {"shaders/a.glsl": SHADER, "shaders/b.comp": "x = twice(thrice(x));"},
      [("shaders/a.glsl", 4)]),
     (docstrings.check_docstrings, {"shaders/a.glsl": SHADER}, []),

@@ -149,11 +149,11 @@ def transforms() -> bytes:
 
 
 def unlit_emissive() -> bytes:
-    """No lights at all: an unlit card, an emissive ball, a strong one, a picture that glows, and a mirror floor."""
+    """An unlit card, an emissive ball, a strong one, a picture that glows and a mirror floor, in next to no light."""
     scene = SceneFile("unlit_emissive")
     ground(scene, scene.add_material("dark mirror", (0.35, 0.36, 0.40), metallic=1.0, roughness=0.08), 10)
     canvas = pictures.Canvas(96, 32, (32, 70, 92))
-    canvas.write("UNLIT".replace("U", "V").replace("T", "E"), 4, 9, 2, (240, 226, 190))
+    canvas.write("UNLIT", 18, 9, 2, (240, 226, 190))
     card = scene.add_texture(scene.add_image(canvas.to_png(), "card"), (CLAMP, CLAMP))
     plain = scene.add_material("unlit card", texture=card, extensions={"KHR_materials_unlit": {}})
     scene.add_node("card", mesh=scene.add_mesh("card", (meshes.quad((0, 0.5, 0), (1.5, 0, 0), (0, 0.5, 0)), plain)),
@@ -173,5 +173,7 @@ def unlit_emissive() -> bytes:
     house = scene.add_material("windows", (0, 0, 0), emissiveFactor=[1, 1, 1], emissiveTexture={"index": glow})
     scene.add_node("house", mesh=scene.add_mesh("house", (meshes.box((1.1, 1.2, 1.1)), house)),
                    translation=[2.0, 0.6, -0.6], rotation=about((0, 1, 0), -30))
+    # A file without any light would be shown in the default lighting.
+    scene.add_light("moon", "directional", (0.6, 0.75, 1.0), 0.05, towards=(-0.4, -1.0, -0.6))
     scene.add_camera("view", (0.1, 1.5, 5.2), (0.15, 0.5, 0), degrees=36)
     return scene.to_bytes()

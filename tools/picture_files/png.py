@@ -35,8 +35,18 @@ def encode_png(rows: list[list[tuple]], channels: int) -> bytes:
         if step:
             line = bytes((value - (line[at - step] if at >= step else 0)) & 255 for at, value in enumerate(line))
         raw += line
+    return assembled(width, height, color_type, palette, bytes(raw))
+
+
+def encode_rgb(rows: list[bytes]) -> bytes:
+    """PNG of `rows`, each three bytes a pixel: for large pictures, without palette and filters."""
+    return assembled(len(rows[0]) // 3, len(rows), 2, b"", b"".join(b"\0" + row for row in rows))
+
+
+def assembled(width: int, height: int, color_type: int, palette: bytes, raw: bytes) -> bytes:
+    """The file around `raw`, the filtered lines; `palette` is a whole chunk or nothing."""
     header = struct.pack(">IIBBBBB", width, height, 8, color_type, 0, 0, 0)
-    return (SIGNATURE + chunk(b"IHDR", header) + palette + chunk(b"IDAT", zlib.compress(bytes(raw), 9)) +
+    return (SIGNATURE + chunk(b"IHDR", header) + palette + chunk(b"IDAT", zlib.compress(raw, 9)) +
             chunk(b"IEND", b""))
 
 

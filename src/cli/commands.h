@@ -1,0 +1,19 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace vernier {
+
+/// What the program does once the command line is read. Returns the exit code; throws Error for any failure.
+using Command = std::function<int()>;
+
+/// Each of these adds its subcommand to `app`, with options, defaults and an example; when the command line names it,
+/// `chosen` becomes the command to run. `chosen` outlives the parse.
+void add_render_command(CLI::App& app, Command& chosen);
+void add_explain_command(CLI::App& app, Command& chosen);
+void add_reference_command(CLI::App& app, Command& chosen);
+void add_diff_command(CLI::App& app, Command& chosen);
+void add_devices_command(CLI::App& app, Command& chosen);
+
+}  // namespace vernier

@@ -1,0 +1,90 @@
+#include "cli/recipe.h"
+
+#include <OpenImageIO/hash.h>
+
+#include <array>
+#include <fstream>
+
+#include "cli/version.h"
+#include "error.h"
+
+namespace vernier {
+namespace {
+
+void put(nlohmann::ordered_json& options, const char* name, const std::string& text) {
+  if (!text.empty()) {
+    options[name] = text;
+  }
+}
+
+std::map<std::string, std::string> scene_recipe(const SceneArguments& scene, const RenderArguments& render) {
+  std::map<std::string, std::string> metadata;
+  metadata["vernier:version"] = kVersion;
+  metadata["vernier:scene"] = scene.scene;
+  metadata["vernier:options"] = recipe_options(scene, render).dump();
+  if (!scene.scene.empty()) {
+    metadata["vernier:scene_sha1"] = sha1_of_file(scene.scene);
+  }
+  return metadata;
+}
+
+}  // namespace
+
+nlohmann::ordered_json recipe_options(const SceneArguments& scene, const RenderArguments& render) {
+  nlohmann::ordered_json options;
+  put(options, "size", render.size);
+  put(options, "crop", render.crop);
+  put(options, "camera", scene.camera);
+  put(options, "eye", scene.eye);
+  put(options, "target", scene.target);
+  put(options, "up", scene.up);
+  put(options, "fov", scene.fov);
+  if (!scene.lights.empty()) {
+    options["light"] = scene.lights;
+  }
+  put(options, "background", scene.background);
+  put(options, "ambient", scene.ambient);
+  put(options, "spp", render.spp);
+  put(options, "sample-range", render.sample_range);
+  put(options, "max-bounces", render.max_bounces);
+  put(options, "cutoff", render.cutoff);
+  put(options, "accuracy", render.accuracy);
+  put(options, "effects", render.effects);
+  put(options, "aov", render.aov);
+  put(options, "seed", render.seed);
+  return options;
+}
+
+std::string sha1_of_file(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  OIIO::SHA1 hash;
+  std::array<char, 1 << 16> block;
+  while (file.read(block.data(), block.size()) || file.gcount() > 0) {
+    hash.append(block.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file.eof()) {
+    throw Error(ErrorKind::refused, path + ": cannot be read");
+  }
+  std::string digits = hash.digest();
+  for (char& digit : digits) {
+    digit = digit >= 'A' && digit <= 'F' ? static_cast<char>(digit - 'A' + 'a') : digit;
+  }
+  return digits;
+}
+
+std::map<std::string, std::string> render_recipe(const SceneArguments& scene, const RenderArguments& render,
+                                                 const RecipeMaker& maker) {
+  std::map<std::string, std::string> metadata = scene_recipe(scene, render);
+  metadata["vernier:device"] = maker.device;
+  metadata["vernier:driver"] = maker.driver;
+  metadata["vernier:spirv_hash"] = maker.spirv_hash;
+  return metadata;
+}
+
+std::map<std::string, std::string> reference_recipe(const SceneArguments& scene, const RenderArguments& render) {
+  std::map<std::string, std::string> metadata = scene_recipe(scene, render);
+  metadata["vernier:device"] = "reference";
+  return metadata;
+}
+
+}  // namespace vernier

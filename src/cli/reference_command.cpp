@@ -1,0 +1,89 @@
+#include <cstdio>
+#include <memory>
+#include <mutex>
+
+#include "cli/commands.h"
+#include "cli/output_file.h"
+#include "cli/parse_values.h"
+#include "cli/progress_bar.h"
+#include "cli/recipe.h"
+#include "cli/render_options.h"
+#include "cli/scene_setup.h"
+#include "cli/warnings.h"
+#include "image/write_image.h"
+#include "reference/render_reference.h"
+
+namespace vernier {
+namespace {
+
+constexpr std::uint32_t kMaxThreads = 1024;
+
+struct ReferenceArguments {
+  SceneArguments scene;
+  RenderArguments render;
+  std::string output;
+  std::string exposure = "0";
+  std::string threads = "0";
+  bool quiet = false;
+};
+
+ReferenceSettings reference_settings(const ReferenceArguments& arguments) {
+  const RenderSettings render = parse_render_settings(arguments.render);
+  ReferenceSettings settings;
+  settings.width = render.width;
+  settings.height = render.height;
+  settings.spp = render.spp;
+  settings.max_bounces = render.max_bounces;
+  settings.cutoff = parse_number("--cutoff", arguments.render.cutoff);  // in double, as given
+  settings.seed = render.seed;
+  settings.thread_count = parse_count("--threads", arguments.threads, 0, kMaxThreads);
+  return settings;
+}
+
+int run_reference(const ReferenceArguments& arguments) {
+  const ReferenceSettings settings = reference_settings(arguments);
+  const SceneSettings scene_settings = parse_scene_settings(arguments.scene);
+  const DisplayTransform display{parse_exposure(arguments.exposure)};
+  check_image_output(arguments.output);
+  const SceneSetup setup = set_up_scene(scene_settings, static_cast<double>(settings.width) / settings.height);
+  print_warnings(setup.scene.warnings);
+  ImageFile image;
+  {
+    ProgressBar bar(arguments.quiet);
+    std::mutex one_at_a_time;
+    const WorkClock clock;
+    image = render_reference(setup.scene, setup.camera, settings, [&](double share) {
+      const std::lock_guard lock(one_at_a_time);
+      bar.update(clock.at(share));
+    });
+  }
+  image.metadata.merge(reference_recipe(arguments.scene, arguments.render));
+  write_image(arguments.output, image, display);
+  if (!arguments.quiet) {
+    std::fprintf(stderr, "%s: %dx%d, %u spp, double precision\n", arguments.output.c_str(), settings.width,
+                 settings.height, settings.spp);
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_reference_command(CLI::App& app, Command& chosen) {
+  const auto arguments = std::make_shared<ReferenceArguments>();
+  CLI::App& command = *app.add_subcommand("reference", "Renders in double precision on the CPU: slow, the arbiter.");
+  command.add_option("SCENE", arguments->scene.scene, "scene file: .gltf, .glb or .obj")->type_name("")->required();
+  command.add_option("-o,--output", arguments->output, "image file: .exr (all layers), .png, .jpg, .hdr or .tif")
+      ->type_name("FILE")
+      ->required();
+  add_size_option(command, arguments->render.size);
+  add_sampling_options(command, arguments->render);
+  command.add_option("--exposure", arguments->exposure, "stops added to display images, -100 to 100 (default: 0)")
+      ->type_name("EV");
+  command.add_option("--threads", arguments->threads, "threads; 0 is one per core (default: 0)")->type_name("N");
+  command.add_flag("--quiet", arguments->quiet, "no progress and no summary; warnings stay (default: off)");
+  add_scene_options(command, arguments->scene);
+  command.footer("Example: vernier reference scenes/every_effect.glb -o truth.exr --size 320x180 --spp 4");
+  command.callback([arguments, &chosen] { chosen = [arguments] { return run_reference(*arguments); }; });
+}
+
+}  // namespace vernier

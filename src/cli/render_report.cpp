@@ -1,0 +1,122 @@
+#include "cli/render_report.h"
+
+#include <sys/resource.h>
+
+#include <cstdio>
+
+#include "cli/effect_table.h"
+
+namespace vernier {
+namespace {
+
+// Largest resident size of this process so far; Linux tells it in KiB.
+std::uint64_t peak_host_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  constexpr std::uint64_t kKibibyte = 1024;
+  return static_cast<std::uint64_t>(usage.ru_maxrss) * kKibibyte;
+}
+
+nlohmann::ordered_json effects_by_name(const EffectSet& effects) {
+  nlohmann::ordered_json by_name = nlohmann::ordered_json::object();
+  for (const EffectReason& effect : effects.reasons) {
+    by_name[effect.name] = effect.on;
+  }
+  return by_name;
+}
+
+nlohmann::ordered_json bvh_json(const RenderStatistics& statistics) {
+  return {{"nodes", statistics.bvh_nodes},
+          {"bytes", statistics.bvh_bytes},
+          {"sah_cost", statistics.sah_cost},
+          {"depth", statistics.bvh_depth},
+          {"build_ms", statistics.bvh_build_ms}};
+}
+
+void add_input(nlohmann::ordered_json& json, const RenderReport& report) {
+  const RenderSettings& settings = report.settings;
+  json["scene"] = report.scene;
+  json["device"] = report.device.name;
+  json["driver"] = report.device.driver;
+  json["size"] = {settings.width, settings.height};
+  json["spp"] = settings.spp;
+  json["accuracy"] = "robust";
+}
+
+void add_work(nlohmann::ordered_json& json, const RenderReport& report) {
+  const RenderStatistics& statistics = report.statistics;
+  json["triangles"] = statistics.triangles;
+  json["instances"] = statistics.instances;
+  json["materials"] = statistics.materials;
+  json["textures"] = statistics.textures;
+  json["bvh"] = bvh_json(statistics);
+  json["load_ms"] = report.load_ms;
+  json["pack_ms"] = statistics.pack_ms;
+  json["upload_ms"] = statistics.upload_ms;
+  json["compile_ms"] = statistics.compile_ms;
+  json["trace_device_ms"] = statistics.trace_device_ms;
+  json["trace_wall_ms"] = statistics.trace_wall_ms;
+}
+
+void add_outcome(nlohmann::ordered_json& json, const RenderReport& report) {
+  const RenderStatistics& statistics = report.statistics;
+  const RayCounts& rays = statistics.rays;
+  json["rays"] = {{"primary", rays.primary},
+                  {"shadow", rays.shadow},
+                  {"reflection", rays.reflection},
+                  {"refraction", rays.refraction}};
+  json["rays_per_s"] = rays_per_s(statistics);
+  json["samples_done"] = statistics.samples_done;
+  json["effects"] = effects_by_name(statistics.effects);
+  json["non_finite_pixels"] = statistics.non_finite_pixels;
+  json["stack_overflows"] = statistics.stack_overflows;
+  json["error_estimate"] = nullptr;  // only known with an error target
+  json["peak_memory"] = {{"host_bytes", peak_host_bytes()}, {"device_bytes", statistics.device_bytes}};
+  json["warnings"] = report.warnings;
+}
+
+}  // namespace
+
+std::uint64_t ray_count(const RayCounts& rays) {
+  return rays.primary + rays.shadow + rays.reflection + rays.refraction;
+}
+
+double rays_per_s(const RenderStatistics& statistics) {
+  constexpr double kMillisecond_s = 1e-3;
+  const double seconds = statistics.trace_wall_ms * kMillisecond_s;
+  return seconds > 0.0 ? static_cast<double>(ray_count(statistics.rays)) / seconds : 0.0;
+}
+
+nlohmann::ordered_json render_json(const RenderReport& report) {
+  nlohmann::ordered_json json;
+  json["schema"] = 1;
+  add_input(json, report);
+  add_work(json, report);
+  add_outcome(json, report);
+  return json;
+}
+
+std::string summary_line(const RenderReport& report, const std::string& file) {
+  const RenderStatistics& statistics = report.statistics;
+  const PixelRect rect = report.settings.crop.value_or(PixelRect{0, 0, report.settings.width, report.settings.height});
+  char text[160];
+  std::snprintf(text, sizeof text, ": %dx%d, %u samples, %.3f Mrays in %.2f s, %.2f Mrays/s", rect.width, rect.height,
+                statistics.samples_done, static_cast<double>(ray_count(statistics.rays)) * 1e-6,
+                statistics.trace_wall_ms * 1e-3, rays_per_s(statistics) * 1e-6);
+  return file + text;
+}
+
+std::string verbose_text(const RenderReport& report) {
+  const RenderStatistics& statistics = report.statistics;
+  char text[256];
+  std::snprintf(
+      text, sizeof text,
+      "load %.1f ms, BVH %.1f ms, pack %.1f ms, upload %.1f ms, compile %.1f ms, trace %.1f ms (device %.1f ms)\n",
+      report.load_ms, statistics.bvh_build_ms, statistics.pack_ms, statistics.upload_ms, statistics.compile_ms,
+      statistics.trace_wall_ms, statistics.trace_device_ms);
+  return "device " + report.device.name + ", " + report.device.driver + "\n" + std::to_string(statistics.triangles) +
+         " triangles, " + std::to_string(statistics.bvh_nodes) + " BVH nodes\n" + text +
+         effect_table(statistics.effects);
+}
+
+}  // namespace vernier

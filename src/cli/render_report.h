@@ -1,0 +1,38 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "gpu/device.h"
+#include "render/render_settings.h"
+#include "render/render_statistics.h"
+
+namespace vernier {
+
+/// What `render --json` tells of one render.
+struct RenderReport {
+  std::string scene;  ///< as the user named it
+  DeviceDescription device;
+  RenderSettings settings;
+  RenderStatistics statistics;
+  double load_ms = 0.0;
+  std::vector<std::string> warnings;  ///< of the scene and of the render
+};
+
+/// Rays of all kinds.
+std::uint64_t ray_count(const RayCounts& rays);
+
+/// Rays per second of wall time spent tracing; 0 where no time was measured.
+double rays_per_s(const RenderStatistics& statistics);
+
+/// The object of schema 1; null for what does not apply. Times in milliseconds, memory in bytes (host: the peak of the
+/// process).
+nlohmann::ordered_json render_json(const RenderReport& report);
+
+/// One line for stderr: size, samples, rays, rays per second, seconds, file.
+std::string summary_line(const RenderReport& report, const std::string& file);
+
+/// The lines --verbose adds: device, effects with reasons, sizes and times.
+std::string verbose_text(const RenderReport& report);
+
+}  // namespace vernier

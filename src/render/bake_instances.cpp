@@ -1,0 +1,124 @@
+#include "render/bake_instances.h"
+
+#include <bit>
+#include <cmath>
+#include <limits>
+
+#include "error.h"
+#include "shared/render_constants.h"
+
+namespace vernier {
+namespace {
+
+VertexLayout choose_layout(const Scene& scene) {
+  bool normals = false, uv01 = false, uv23 = false, colors = false, tangents = false;
+  for (const Mesh& mesh : scene.meshes) {
+    normals |= !mesh.normals.empty();
+    uv01 |= !mesh.uvs[0].empty() || !mesh.uvs[1].empty();
+    uv23 |= !mesh.uvs[2].empty() || !mesh.uvs[3].empty();
+    colors |= !mesh.colors.empty();
+    tangents |= !mesh.tangents.empty();
+  }
+  VertexLayout layout{.texels = 0, .normal = NONE, .uv01 = NONE, .uv23 = NONE, .color = NONE, .tangent = NONE};
+  const auto place = [&](bool present, std::uint32_t& texel) {
+    if (present) texel = layout.texels++;
+  };
+  place(normals, layout.normal);
+  place(uv01, layout.uv01);
+  place(uv23, layout.uv23);
+  place(colors, layout.color);
+  place(tangents, layout.tangent);
+  return layout;
+}
+
+void put(std::uint32_t* vertex, std::uint32_t texel, const glm::vec4& value) {
+  if (texel == NONE) return;
+  for (int i = 0; i < 4; ++i) vertex[4 * texel + static_cast<std::uint32_t>(i)] = std::bit_cast<std::uint32_t>(value[i]);
+}
+
+/// v / |v| in double, rounded; zero stays zero.
+glm::vec3 unit(const glm::dvec3& v) {
+  const double length = glm::length(v);
+  return length > 0.0 && std::isfinite(length) ? glm::vec3(v / length) : glm::vec3(0.0f);
+}
+
+glm::vec2 uv_at(const Mesh& mesh, std::size_t set, std::size_t i) {
+  return mesh.uvs[set].empty() ? glm::vec2(0.0f) : mesh.uvs[set][i];
+}
+
+/// How directions of an instance become the world's.
+struct DirectionTransform {
+  glm::dmat3 tangent;
+  glm::dmat3 normal;
+  float handedness;  ///< -1 where the transform mirrors
+};
+
+void bake_vertex(const Mesh& mesh, std::size_t i, const DirectionTransform& transform, const VertexLayout& layout,
+                 std::uint32_t* out) {
+  const glm::vec3 n = mesh.normals.empty() ? glm::vec3(0.0f) : unit(transform.normal * glm::dvec3(mesh.normals[i]));
+  put(out, layout.normal, glm::vec4(n, 0.0f));
+  put(out, layout.uv01, glm::vec4(uv_at(mesh, 0, i), uv_at(mesh, 1, i)));
+  put(out, layout.uv23, glm::vec4(uv_at(mesh, 2, i), uv_at(mesh, 3, i)));
+  put(out, layout.color, mesh.colors.empty() ? glm::vec4(1.0f) : mesh.colors[i]);
+  if (mesh.tangents.empty()) {
+    put(out, layout.tangent, glm::vec4(0.0f));
+  } else {
+    const glm::vec4& tangent = mesh.tangents[i];
+    put(out, layout.tangent, glm::vec4(unit(transform.tangent * glm::dvec3(tangent)), tangent.w * transform.handedness));
+  }
+}
+
+/// Appends one instance. `positions` is scratch space.
+void bake_instance(const Scene& scene, std::uint32_t instance_index, const TracedSpace& space,
+                   std::vector<glm::vec3>& positions, BakedScene& baked) {
+  const Instance& instance = scene.instances[instance_index];
+  const Mesh& mesh = scene.meshes[instance.mesh];
+  const glm::dmat3 direction(instance.world_from_object);
+  const bool mirrored = glm::determinant(direction) < 0.0;
+  const DirectionTransform transform{direction, glm::transpose(glm::inverse(direction)), mirrored ? -1.0f : 1.0f};
+  const std::size_t vertex_words = 4 * static_cast<std::size_t>(baked.layout.texels);
+  const std::size_t first = baked.layout.texels == 0 ? 0 : baked.vertices.size() / vertex_words;
+  baked.vertices.resize(baked.vertices.size() + vertex_words * mesh.positions.size());
+  positions.resize(mesh.positions.size());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    const glm::dvec4 world = instance.world_from_object * glm::dvec4(mesh.positions[i], 1.0);
+    positions[i] = glm::vec3(traced_from_world(space, glm::dvec3(world))) + 0.0f;  // -0 becomes +0
+    bake_vertex(mesh, i, transform, baked.layout, baked.vertices.data() + vertex_words * (first + i));
+  }
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    glm::uvec3 corner = mesh.triangles[i];
+    if (mirrored) std::swap(corner.y, corner.z);
+    const auto id = static_cast<std::uint32_t>(baked.corners.size());
+    baked.corners.push_back({positions[corner.x], positions[corner.y], positions[corner.z], id});
+    const auto base = static_cast<std::uint32_t>(first);
+    baked.triangles.insert(baked.triangles.end(),
+                           {base + corner.x, base + corner.y, base + corner.z, mesh.triangle_materials[i]});
+    baked.triangle_ids.insert(baked.triangle_ids.end(), {instance_index, static_cast<std::uint32_t>(i)});
+  }
+}
+
+}  // namespace
+
+BakedScene bake_instances(const Scene& scene, const TracedSpace& space) {
+  BakedScene baked;
+  baked.layout = choose_layout(scene);
+  std::size_t triangle_count = 0;
+  std::size_t vertex_count = 0;
+  for (const Instance& instance : scene.instances) {
+    triangle_count += scene.meshes[instance.mesh].triangles.size();
+    vertex_count += scene.meshes[instance.mesh].positions.size();
+  }
+  if (triangle_count >= NONE || vertex_count >= NONE) {
+    throw Error(ErrorKind::refused, scene.source + ": " + std::to_string(triangle_count) + " triangles and " +
+                                        std::to_string(vertex_count) + " vertices are beyond 4294967294");
+  }
+  baked.corners.reserve(triangle_count);
+  baked.triangles.reserve(4 * triangle_count);
+  baked.triangle_ids.reserve(2 * triangle_count);
+  baked.vertices.reserve(4 * static_cast<std::size_t>(baked.layout.texels) * vertex_count);
+  std::vector<glm::vec3> positions;
+  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) bake_instance(scene, i, space, positions, baked);
+  return baked;
+}
+
+}  // namespace vernier

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bvh/bvh.h"
+#include "render/traced_space.h"
+#include "scene/scene.h"
+
+namespace vernier {
+
+/// Where the attributes of a vertex lie, in uvec4 texels from its start; NONE: not there (render_constants.h).
+struct VertexLayout {
+  std::uint32_t texels = 1;
+  std::uint32_t normal, uv01, uv23, color, tangent;
+};
+
+/// All instances as one list of triangles in the traced space, in the order of the global triangle numbers.
+struct BakedScene {
+  std::vector<BvhTriangle> corners;          ///< [triangle], id = index
+  std::vector<std::uint32_t> triangles;      ///< [triangle][4]: vertices 0, 1, 2, material
+  std::vector<std::uint32_t> triangle_ids;   ///< [triangle][2]: instance, triangle within the mesh
+  std::vector<std::uint32_t> vertices;       ///< [vertex][layout.texels][4] float bits
+  VertexLayout layout;
+};
+
+/// Bakes `scene`, which has passed validate_scene: positions in double, rounded once; normals by the inverse transpose;
+/// corners 1 and 2 change places where the transform mirrors. Attributes that no mesh has take no memory.
+/// Throws Error(refused) beyond 2^32 - 1 vertices or triangles.
+BakedScene bake_instances(const Scene& scene, const TracedSpace& space);
+
+}  // namespace vernier

@@ -1,0 +1,57 @@
+#include "render/film.h"
+
+#include <algorithm>
+
+#include "shared/film_layout.h"
+
+namespace vernier {
+namespace {
+
+/// A band is at most that large, whatever the device allows: smaller bands cost nothing and keep staging small.
+constexpr std::uint64_t kLargestBandBytes = std::uint64_t{64} << 20;
+
+int rows_per_band(const Device& device, int width) {
+  const std::uint64_t limit = std::min(device.description().max_storage_buffer_range_bytes, kLargestBandBytes);
+  const std::uint64_t row_bytes = static_cast<std::uint64_t>(width) * std::max(FILM_WORDS, AOV_WORDS) * 4;
+  return static_cast<int>(std::clamp<std::uint64_t>(limit / row_bytes, 1, 65536));
+}
+
+std::vector<std::uint32_t> read_bands(const Device& device, const std::vector<Film::Band>& bands, std::size_t row_words,
+                                      int height, Buffer Film::Band::* member) {
+  std::vector<std::uint32_t> words(row_words * static_cast<std::size_t>(height));
+  for (const Film::Band& band : bands) {
+    const std::span part(words.data() + row_words * static_cast<std::size_t>(band.first_row),
+                         row_words * static_cast<std::size_t>(band.row_count));
+    (band.*member).download(device, std::as_writable_bytes(part));
+  }
+  return words;
+}
+
+}  // namespace
+
+Film::Film(const Device& device, const PixelRect& area, bool with_aovs)
+    : area_(area), band_height_(rows_per_band(device, area.width)) {
+  for (int row = 0; row < area.height; row += band_height_) {
+    Band band{.first_row = row, .row_count = std::min(band_height_, area.height - row), .sums = {}, .aovs = {}};
+    const std::uint64_t pixels = static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(band.row_count);
+    band.sums = Buffer(device, pixels * FILM_WORDS * 4, BufferUse::storage);
+    band.aovs = Buffer(device, with_aovs ? pixels * AOV_WORDS * 4 : 0, BufferUse::storage);
+    bands_.push_back(std::move(band));
+  }
+}
+
+std::uint64_t Film::size_bytes() const {
+  std::uint64_t sum = 0;
+  for (const Band& band : bands_) sum += band.sums.size_bytes() + band.aovs.size_bytes();
+  return sum;
+}
+
+std::vector<std::uint32_t> Film::read_sums(const Device& device) const {
+  return read_bands(device, bands_, static_cast<std::size_t>(area_.width) * FILM_WORDS, area_.height, &Band::sums);
+}
+
+std::vector<std::uint32_t> Film::read_aovs(const Device& device) const {
+  return read_bands(device, bands_, static_cast<std::size_t>(area_.width) * AOV_WORDS, area_.height, &Band::aovs);
+}
+
+}  // namespace vernier

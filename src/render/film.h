@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "image/image.h"
+#include "render/render_settings.h"
+
+namespace vernier {
+
+/// The accumulator on the device: sums of every pixel of `area`, in bands of whole rows that keep every buffer within
+/// the device's limits. shared/film_layout.h. Owns its buffers.
+class Film {
+ public:
+  /// A band of rows, counted from the top of the area.
+  struct Band {
+    int first_row = 0;
+    int row_count = 0;
+    Buffer sums;
+    Buffer aovs;  ///< only with AOVs
+  };
+
+  /// An empty film. `with_aovs` makes room for the AOVs as well.
+  Film(const Device& device, const PixelRect& area, bool with_aovs);
+
+  const PixelRect& area() const { return area_; }
+  /// Rows of every band but the last.
+  int band_height() const { return band_height_; }
+  std::vector<Band>& bands() { return bands_; }
+  std::uint64_t size_bytes() const;
+
+  /// Words per pixel [height][width][FILM_WORDS] of the sums. Waits for the device.
+  std::vector<std::uint32_t> read_sums(const Device& device) const;
+  /// Words per pixel [height][width][AOV_WORDS]. Waits for the device. The film was made with AOVs.
+  std::vector<std::uint32_t> read_aovs(const Device& device) const;
+
+ private:
+  PixelRect area_;
+  int band_height_ = 0;
+  std::vector<Band> bands_;
+};
+
+/// What a film holds, as values.
+struct DevelopedFilm {
+  std::vector<float> color;  ///< [height][width][4] RGBA: mean of the samples, linear Rec.709; alpha the share of hits.
+                             ///< NaN where a sample was not finite; 0 where there is no sample
+  std::vector<std::uint32_t> sample_count;  ///< [height][width]
+  std::vector<float> cost;                  ///< [height][width][3]: rays, nodes, triangles per sample
+  std::uint64_t non_finite_pixels = 0;
+  std::string first_non_finite;  ///< `pixel 12,34, sample 5`; empty for none
+  std::uint32_t least_samples = 0;
+};
+
+/// Turns read_sums' words of an area that starts at (area.x, area.y) into values. Sums are exact; the mean is rounded once
+/// to double and once to float.
+DevelopedFilm develop(const std::vector<std::uint32_t>& sums, const PixelRect& area);
+
+/// The layers named in `aovs` (cli.md's names) from read_aovs' words and the film's costs.
+std::vector<Layer> aov_layers(const std::vector<std::string>& aovs, const std::vector<std::uint32_t>& words,
+                              const DevelopedFilm& developed);
+
+}  // namespace vernier

@@ -1,0 +1,54 @@
+#include "render/gpu_scene.h"
+
+#include <span>
+
+#include "shared/bindings.h"
+
+namespace vernier {
+namespace {
+
+template <typename Element>
+Buffer uploaded(const Device& device, const std::vector<Element>& elements, BufferUse use) {
+  Buffer buffer(device, elements.size() * sizeof(Element), use);
+  if (!elements.empty()) buffer.upload(device, std::as_bytes(std::span(elements)));
+  return buffer;
+}
+
+}  // namespace
+
+SceneLoads choose_scene_loads(const DeviceDescription& device) {
+  return device.is_llvmpipe ? SceneLoads::texels : SceneLoads::storage;
+}
+
+GpuScene::GpuScene(const Device& device, const PackedScene& packed, SceneLoads loads) {
+  const bool texels = loads == SceneLoads::texels;
+  const BufferUse wide = texels ? BufferUse::texels_rgba32ui : BufferUse::storage;
+  const BufferUse narrow = texels ? BufferUse::texels_r32ui : BufferUse::storage;
+  constants_ = Buffer(device, sizeof(RenderConstants), BufferUse::uniform);
+  records_ = uploaded(device, packed.bvh.records, wide);
+  triangles_ = uploaded(device, packed.triangles, wide);
+  vertices_ = uploaded(device, packed.vertices, wide);
+  materials_ = uploaded(device, packed.materials, wide);
+  lights_ = uploaded(device, packed.lights, wide);
+  textures_ = uploaded(device, packed.textures, wide);
+  texels_ = uploaded(device, packed.texels, narrow);
+  triangle_ids_ = uploaded(device, packed.triangle_ids, narrow);
+}
+
+std::vector<Binding> GpuScene::bindings() const {
+  return {{BINDING_RENDER, &constants_},     {BINDING_RECORDS, &records_},     {BINDING_TRIANGLES, &triangles_},
+          {BINDING_VERTICES, &vertices_},    {BINDING_MATERIALS, &materials_}, {BINDING_LIGHTS, &lights_},
+          {BINDING_TEXTURES, &textures_},    {BINDING_TEXELS, &texels_},       {BINDING_TRIANGLE_IDS, &triangle_ids_}};
+}
+
+std::uint64_t GpuScene::size_bytes() const {
+  std::uint64_t sum = 0;
+  for (const Binding& binding : bindings()) sum += binding.buffer->size_bytes();
+  return sum;
+}
+
+void GpuScene::set_constants(const Device& device, const RenderConstants& constants) {
+  constants_.upload(device, std::as_bytes(std::span(&constants, 1)));
+}
+
+}  // namespace vernier

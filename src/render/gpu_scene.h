@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gpu/buffer.h"
+#include "gpu/compute_pipeline.h"
+#include "render/pack_scene.h"
+
+namespace vernier {
+
+/// How shaders read the scene's arrays: two forms of one SPIR-V source (shaders/buffers.glsl).
+enum class SceneLoads {
+  texels,  ///< uniform texel buffers: 4 times faster on llvmpipe, and not bound by maxStorageBufferRange
+  storage  ///< storage buffers: everywhere else
+};
+
+/// The form that suits `device`.
+SceneLoads choose_scene_loads(const DeviceDescription& device);
+
+/// The scene on the device. Owns its buffers.
+class GpuScene {
+ public:
+  /// Uploads `packed`. Throws Error(refused) with numbers when an array passes a limit of the device.
+  GpuScene(const Device& device, const PackedScene& packed, SceneLoads loads);
+
+  /// Its buffers with their binding numbers.
+  std::vector<Binding> bindings() const;
+  /// Memory in all.
+  std::uint64_t size_bytes() const;
+  /// Replaces the render constants (camera, size, samples).
+  void set_constants(const Device& device, const RenderConstants& constants);
+
+ private:
+  Buffer constants_, records_, triangles_, vertices_, materials_, lights_, textures_, texels_, triangle_ids_;
+};
+
+}  // namespace vernier

@@ -1,0 +1,105 @@
+#include "render/pack_materials.h"
+
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <map>
+
+#include "error.h"
+#include "shared/render_constants.h"
+
+namespace vernier {
+namespace {
+
+DeviceTextureUse device_texture_use(const TextureUse& use) {
+  const glm::mat3x2& m = use.uv_from_vertex_uv;
+  return {.texture = use.texture < 0 ? NONE : static_cast<std::uint32_t>(use.texture),
+          .uv_set = use.uv_set,
+          .m00 = m[0][0],
+          .m10 = m[0][1],
+          .m01 = m[1][0],
+          .m11 = m[1][1],
+          .m02 = m[2][0],
+          .m12 = m[2][1]};
+}
+
+std::uint32_t material_flags(const Material& material) {
+  std::uint32_t flags = static_cast<std::uint32_t>(material.workflow) |
+                        static_cast<std::uint32_t>(material.alpha_mode) << MATERIAL_ALPHA_SHIFT;
+  if (material.unlit) flags |= MATERIAL_UNLIT;
+  if (material.thin_walled) flags |= MATERIAL_THIN_WALLED;
+  if (material.fresnel_reflection) flags |= MATERIAL_FRESNEL_REFLECTION;
+  return flags;
+}
+
+template <typename Struct>
+void append_words(std::vector<std::uint32_t>& words, const Struct& value) {
+  const std::size_t first = words.size();
+  words.resize(first + sizeof(Struct) / 4);
+  std::memcpy(words.data() + first, &value, sizeof(Struct));
+}
+
+/// Linear value of an sRGB byte (IEC 61966-2-1).
+float srgb_to_linear(int byte) {
+  const double s = byte / 255.0;
+  return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
+}
+
+}  // namespace
+
+DeviceMaterial device_material(const Material& material, double metres_per_unit) {
+  DeviceMaterial device{};
+  device.base_color = material.base_color;
+  device.specular = material.specular;
+  device.roughness = material.workflow == Workflow::blinn ? material.exponent : material.roughness;
+  device.reflection = material.reflection;
+  device.metallic = material.metallic;
+  device.emission = material.emission;
+  device.ior = material.ior;
+  device.transmission = material.unlit ? glm::vec3(0.0f) : material.transmission;
+  device.alpha_cutoff = material.alpha_cutoff;
+  device.absorption = glm::vec3(glm::dvec3(material.absorption) * metres_per_unit);
+  device.normal_scale = material.normal_scale;
+  device.ambient = material.ambient;
+  device.occlusion_strength = material.occlusion_strength;
+  device.flags = material_flags(material);
+  device.specular_strength = material.specular_strength;
+  for (std::uint32_t slot = 0; slot < TEXTURE_SLOT_COUNT; ++slot) {
+    if (material.textures[slot].texture >= 0) device.textured_slots |= 1u << slot;
+  }
+  return device;
+}
+
+std::vector<std::uint32_t> pack_materials(const Scene& scene, double metres_per_unit) {
+  std::vector<std::uint32_t> words;
+  words.reserve(scene.materials.size() * MATERIAL_TEXELS * 4);
+  for (const Material& material : scene.materials) {
+    append_words(words, device_material(material, metres_per_unit));
+    for (const TextureUse& use : material.textures) append_words(words, device_texture_use(use));
+  }
+  return words;
+}
+
+PackedTextures pack_textures(const Scene& scene) {
+  PackedTextures packed;
+  for (int byte = 0; byte < static_cast<int>(SRGB_CURVE_WORDS); ++byte) {
+    packed.texels.push_back(std::bit_cast<std::uint32_t>(srgb_to_linear(byte)));
+  }
+  std::map<const Texels*, std::size_t> first_word;
+  for (const Texture& texture : scene.textures) {
+    const Texels& texels = *texture.texels;
+    const auto [entry, is_new] = first_word.try_emplace(&texels, packed.texels.size());
+    if (is_new) packed.texels.insert(packed.texels.end(), texels.words.begin(), texels.words.end());
+    if (packed.texels.size() >= NONE) {
+      throw Error(ErrorKind::refused, scene.source + ": textures need more than 4294967294 words");
+    }
+    const Sampler& sampler = texture.sampler;
+    packed.textures.insert(packed.textures.end(),
+                           {texels.width, texels.height, static_cast<std::uint32_t>(entry->second),
+                            texels.format | sampler.wrap_u << TEXTURE_WRAP_U_SHIFT |
+                                sampler.wrap_v << TEXTURE_WRAP_V_SHIFT | sampler.filter << TEXTURE_FILTER_SHIFT});
+  }
+  return packed;
+}
+
+}  // namespace vernier

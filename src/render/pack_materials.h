@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "scene/scene.h"
+#include "shared/material_layout.h"
+
+namespace vernier {
+
+/// `material` in device layout; absorption per unit of the traced space.
+DeviceMaterial device_material(const Material& material, double metres_per_unit);
+
+/// All materials: [material][MATERIAL_TEXELS][4] words, each a DeviceMaterial and its DeviceTextureUses.
+std::vector<std::uint32_t> pack_materials(const Scene& scene, double metres_per_unit);
+
+/// Textures and their texels.
+struct PackedTextures {
+  std::vector<std::uint32_t> textures;  ///< [texture][4]: width, height, first word of texels, format, wraps and filter
+  std::vector<std::uint32_t> texels;    ///< 256 words of the sRGB curve, then all texels, shared ones once
+};
+
+/// Packs all textures. Throws Error(refused) when the texels need 2^32 words or more.
+PackedTextures pack_textures(const Scene& scene);
+
+}  // namespace vernier

@@ -1,0 +1,123 @@
+#include "render/pack_scene.h"
+
+#include <chrono>
+#include <cmath>
+#include <cstring>
+
+#include "bvh/build_bvh.h"
+#include "error.h"
+#include "render/bake_instances.h"
+#include "render/pack_materials.h"
+#include "scene/environment_harmonics.h"
+#include "scene/frame_scene.h"
+
+namespace vernier {
+namespace {
+
+double milliseconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+bool lets_light_pass(const Material& material) {
+  const glm::vec3& t = material.transmission;
+  return material.alpha_mode != AlphaMode::opaque || t.x > 0.0f || t.y > 0.0f || t.z > 0.0f;
+}
+
+std::vector<std::uint32_t> pack_lights(const Scene& scene, const TracedSpace& space) {
+  std::vector<std::uint32_t> words(scene.lights.size() * sizeof(DeviceLight) / 4);
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    const DeviceLight light = device_light(scene.lights[i], space);
+    std::memcpy(words.data() + i * sizeof(DeviceLight) / 4, &light, sizeof(light));
+  }
+  return words;
+}
+
+void set_environment(RenderConstants& constants, const Scene& scene) {
+  const Environment& environment = scene.environment;
+  constants.sky = environment.sky;
+  constants.ground = environment.ground;
+  constants.environment_texture = environment.texture < 0 ? NONE : static_cast<std::uint32_t>(environment.texture);
+  constants.environment_scale = environment.texture_scale;
+  const std::array<glm::vec3, 9> harmonics = ambient_harmonics(scene);
+  for (std::size_t i = 0; i < harmonics.size(); ++i) constants.ambient_harmonics[i] = harmonics[i];
+}
+
+}  // namespace
+
+DeviceLight device_light(const Light& light, const TracedSpace& space) {
+  DeviceLight device{};
+  device.kind = static_cast<std::uint32_t>(light.kind);
+  device.position = glm::vec3(traced_from_world(space, light.position));
+  device.direction = glm::vec3(light.direction);
+  device.range = static_cast<float>(light.range / space.metres_per_unit);
+  const bool directional = light.kind == LightKind::directional;
+  const double scale = directional ? 1.0 : 1.0 / (space.metres_per_unit * space.metres_per_unit);
+  device.intensity = glm::vec3(glm::dvec3(light.intensity) * scale);
+  const double cos_outer = std::cos(light.outer_cone_angle);
+  device.cos_outer = static_cast<float>(cos_outer);
+  // 1/1024: shaders/README.md 5.4; a cone edge narrower than that counts as that wide.
+  device.cone_scale = static_cast<float>(1.0 / std::max(std::cos(light.inner_cone_angle) - cos_outer, 1.0 / 1024.0));
+  return device;
+}
+
+PackedScene pack_scene(const Scene& scene, unsigned thread_count) {
+  PackedScene packed;
+  const auto bake_start = std::chrono::steady_clock::now();
+  packed.space = choose_traced_space(world_bounds(scene));
+  BakedScene baked = bake_instances(scene, packed.space);
+  packed.bake_ms = milliseconds_since(bake_start);
+  const auto build_start = std::chrono::steady_clock::now();
+  const auto not_opaque = [&](std::uint32_t id) { return lets_light_pass(scene.materials[baked.triangles[4 * id + 3]]); };
+  packed.bvh = build_bvh(baked.corners, not_opaque, thread_count);
+  packed.bvh_build_ms = milliseconds_since(build_start);
+  packed.triangles = std::move(baked.triangles);
+  packed.triangle_ids = std::move(baked.triangle_ids);
+  packed.vertices = std::move(baked.vertices);
+  packed.materials = pack_materials(scene, packed.space.metres_per_unit);
+  packed.lights = pack_lights(scene, packed.space);
+  PackedTextures textures = pack_textures(scene);
+  packed.textures = std::move(textures.textures);
+  packed.texels = std::move(textures.texels);
+  RenderConstants& constants = packed.constants;
+  constants.world_center = glm::vec3(packed.space.center);
+  constants.metres_per_unit = static_cast<float>(packed.space.metres_per_unit);
+  constants.light_count = static_cast<std::uint32_t>(scene.lights.size());
+  constants.triangle_count = packed.bvh.triangle_count;
+  constants.vertex_texels = baked.layout.texels;
+  constants.normal_texel = baked.layout.normal;
+  constants.uv01_texel = baked.layout.uv01;
+  constants.uv23_texel = baked.layout.uv23;
+  constants.color_texel = baked.layout.color;
+  constants.tangent_texel = baked.layout.tangent;
+  set_environment(constants, scene);
+  return packed;
+}
+
+void set_camera(RenderConstants& constants, const Camera& camera, const TracedSpace& space,
+                const RenderSettings& settings) {
+  const glm::dmat4& frame = camera.world_from_camera;
+  const glm::dvec3 origin = traced_from_world(space, glm::dvec3(frame[3]));
+  const double farthest = std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z)});
+  if (!(farthest <= std::exp2(40))) {
+    throw Error(ErrorKind::usage, "the camera is more than 2^40 scene extents away from the scene");
+  }
+  const double aspect = static_cast<double>(settings.width) / settings.height;
+  const double half_height =
+      camera.orthographic ? camera.half_height / space.metres_per_unit : std::tan(camera.vertical_fov / 2.0);
+  constants.camera_origin = glm::vec3(origin);
+  constants.camera_right = glm::vec3(glm::dvec3(frame[0]) * (half_height * aspect));
+  constants.camera_up = glm::vec3(glm::dvec3(frame[1]) * half_height);
+  constants.camera_forward = glm::vec3(-glm::dvec3(frame[2]));
+  constants.orthographic = camera.orthographic ? 1 : 0;
+}
+
+void set_settings(RenderConstants& constants, const RenderSettings& settings) {
+  constants.image_width = static_cast<std::uint32_t>(settings.width);
+  constants.image_height = static_cast<std::uint32_t>(settings.height);
+  constants.seed = settings.seed;
+  constants.spp = settings.spp;
+  constants.max_bounces = settings.max_bounces;
+  constants.cutoff = settings.cutoff;
+}
+
+}  // namespace vernier

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "bvh/bvh.h"
+#include "render/render_settings.h"
+#include "render/traced_space.h"
+#include "scene/scene.h"
+#include "shared/material_layout.h"
+#include "shared/render_constants.h"
+
+namespace vernier {
+
+/// The scene's arrays as the device reads them (shared/bindings.h), and the BVH over them. No Vulkan here.
+struct PackedScene {
+  TracedSpace space;
+  Bvh bvh;
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::uint32_t> triangle_ids;
+  std::vector<std::uint32_t> vertices;
+  std::vector<std::uint32_t> materials;
+  std::vector<std::uint32_t> lights;
+  std::vector<std::uint32_t> textures;
+  std::vector<std::uint32_t> texels;
+  RenderConstants constants{};  ///< all that the scene decides; set_camera and set_settings add the rest
+  double bake_ms = 0.0;
+  double bvh_build_ms = 0.0;
+};
+
+/// Packs `scene`, which has passed validate_scene, building the BVH on `thread_count` threads (0: all cores).
+PackedScene pack_scene(const Scene& scene, unsigned thread_count);
+
+/// `light` in device layout.
+DeviceLight device_light(const Light& light, const TracedSpace& space);
+
+/// Sets the camera of `constants` for an image of settings.width x settings.height.
+/// Throws Error(usage) when the camera stands more than 2^40 scene extents away: there a pixel is wider than the scene.
+void set_camera(RenderConstants& constants, const Camera& camera, const TracedSpace& space,
+                const RenderSettings& settings);
+
+/// Sets what the settings decide: size, seed, samples, bounces, cutoff.
+void set_settings(RenderConstants& constants, const RenderSettings& settings);
+
+}  // namespace vernier

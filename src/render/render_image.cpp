@@ -1,0 +1,129 @@
+#include "render/render_image.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "effects/detect_effects.h"
+#include "error.h"
+#include "render/film.h"
+#include "render/gpu_scene.h"
+#include "render/pack_scene.h"
+#include "render/trace_film.h"
+
+namespace vernier {
+namespace {
+
+void check_settings(const RenderSettings& settings) {
+  if (settings.accuracy != Accuracy::robust) {
+    throw Error(ErrorKind::usage, "--accuracy: this version has 'robust' only");
+  }
+  if (settings.width < 1 || settings.height < 1) throw Error(ErrorKind::usage, "--size: the image is empty");
+  if (settings.sample_begin >= settings.sample_end || settings.sample_end > settings.spp) {
+    throw Error(ErrorKind::usage, "--sample-range: it must lie within 0:" + std::to_string(settings.spp));
+  }
+}
+
+PixelRect image_area(const RenderSettings& settings) {
+  const PixelRect whole{0, 0, settings.width, settings.height};
+  const PixelRect area = settings.crop.value_or(whole);
+  if (area.x < 0 || area.y < 0 || area.width < 1 || area.height < 1 || area.width > whole.width - area.x ||
+      area.height > whole.height - area.y) {
+    throw Error(ErrorKind::usage, "--crop: it must lie within the image of " + std::to_string(whole.width) + "x" +
+                                      std::to_string(whole.height));
+  }
+  return area;
+}
+
+bool wants(const RenderSettings& settings, const char* aov) {
+  return std::find(settings.aovs.begin(), settings.aovs.end(), aov) != settings.aovs.end();
+}
+
+bool wants_geometry(const RenderSettings& settings) {
+  return std::any_of(settings.aovs.begin(), settings.aovs.end(),
+                     [](const std::string& name) { return name != "cost" && name != "sample_count"; });
+}
+
+void describe_scene(const Scene& scene, const PackedScene& packed, RenderStatistics& statistics) {
+  statistics.triangles = packed.triangles.size() / 4;
+  statistics.instances = scene.instances.size();
+  statistics.materials = scene.materials.size();
+  statistics.textures = scene.textures.size();
+  statistics.bvh_nodes = packed.bvh.node_count;
+  statistics.bvh_bytes = packed.bvh.records.size() * sizeof(BvhRecord);
+  statistics.sah_cost = packed.bvh.sah_cost;
+  statistics.bvh_depth = packed.bvh.depth;
+  statistics.bvh_build_ms = packed.bvh_build_ms;
+  statistics.pack_ms = packed.bake_ms;
+}
+
+void describe_trace(const TraceStatistics& trace, RenderStatistics& statistics) {
+  statistics.rays = trace.rays;
+  statistics.stack_overflows = trace.stack_overflows;
+  statistics.trace_device_ms = trace.device_ms;
+  statistics.trace_wall_ms = trace.wall_ms;
+  statistics.compile_ms += trace.compile_ms;
+  statistics.device_bytes += trace.device_bytes;
+  if (trace.stack_overflows > 0) {
+    statistics.warnings.push_back(std::to_string(trace.stack_overflows) +
+                                  " rays were dropped: more waited than the stack holds; try a lower --max-bounces");
+  }
+}
+
+GpuScene upload_scene(const Device& device, const PackedScene& packed, SceneLoads loads, RenderStatistics& statistics) {
+  const auto start = std::chrono::steady_clock::now();
+  GpuScene gpu_scene(device, packed, loads);
+  statistics.upload_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  statistics.device_bytes = gpu_scene.size_bytes();
+  return gpu_scene;
+}
+
+RenderResult read_film(const Device& device, const Film& film, const RenderSettings& settings, RenderStatistics statistics) {
+  const PixelRect& area = film.area();
+  DevelopedFilm developed = develop(film.read_sums(device), area);
+  statistics.non_finite_pixels = developed.non_finite_pixels;
+  statistics.first_non_finite = developed.first_non_finite;
+  statistics.samples_done = developed.least_samples;
+  const std::vector<std::uint32_t> aov_words = wants_geometry(settings) ? film.read_aovs(device) : std::vector<std::uint32_t>{};
+  std::vector<Layer> layers = aov_layers(settings.aovs, aov_words, developed);
+  layers.insert(layers.begin(), Layer{"", {"R", "G", "B", "A"}, std::move(developed.color)});
+  return {.image = {.width = area.width,
+                    .height = area.height,
+                    .x = area.x,
+                    .y = area.y,
+                    .full_width = settings.width,
+                    .full_height = settings.height,
+                    .layers = std::move(layers),
+                    .metadata = {}},
+          .statistics = std::move(statistics)};
+}
+
+}  // namespace
+
+RenderResult render_image(const Device& device, const Scene& scene, const Camera& camera, const RenderSettings& settings,
+                          const RenderCallbacks& callbacks) {
+  check_settings(settings);
+  const PixelRect area = image_area(settings);
+  RenderStatistics statistics;
+  statistics.effects = choose_effects(detect_effects(scene, camera, static_cast<int>(settings.max_bounces)), settings.effects);
+
+  PackedScene packed = pack_scene(scene, 0);
+  describe_scene(scene, packed, statistics);
+  set_camera(packed.constants, camera, packed.space, settings);
+  set_settings(packed.constants, settings);
+
+  const SceneLoads loads = choose_scene_loads(device.description());
+  GpuScene gpu_scene = upload_scene(device, packed, loads, statistics);
+  gpu_scene.set_constants(device, packed.constants);
+  const TraceSpecialization specialization = specialize(statistics.effects.bits, packed.bvh.depth, settings.max_bounces,
+                                                        wants(settings, "cost"), device.description());
+  statistics.spirv_hash = trace_spirv_hash(loads);
+  packed = {};  // the device has it now
+
+  Film film(device, area, wants_geometry(settings));
+  statistics.device_bytes += film.size_bytes();
+  if (wants_geometry(settings)) statistics.compile_ms += trace_aovs(device, gpu_scene, loads, specialization, film);
+  describe_trace(trace_film(device, gpu_scene, loads, specialization, settings, callbacks, film), statistics);
+  return read_film(device, film, settings, std::move(statistics));
+}
+
+}  // namespace vernier

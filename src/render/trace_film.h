@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include "gpu/submission.h"
+#include "render/film.h"
+#include "render/gpu_scene.h"
+#include "render/render_image.h"
+#include "render/trace_pipeline.h"
+
+namespace vernier {
+
+/// What tracing took.
+struct TraceStatistics {
+  RayCounts rays;
+  std::uint64_t stack_overflows = 0;
+  double device_ms = 0.0;
+  double wall_ms = 0.0;
+  double compile_ms = 0.0;
+  std::uint64_t device_bytes = 0;  ///< of the buffers that tracing alone needs
+};
+
+/// Adds the samples of `settings` to `film`, tile by tile and pass by pass, in dispatches of about settings.dispatch_ms.
+/// Stops between dispatches when cancelled or past the time limit. Throws Error(device_lost), and Error(failed) when a
+/// single ray takes more steps than the driver lets a shader take.
+TraceStatistics trace_film(const Device& device, const GpuScene& scene, SceneLoads loads,
+                           const TraceSpecialization& specialization, const RenderSettings& settings,
+                           const RenderCallbacks& callbacks, Film& film);
+
+/// Writes the AOVs of every pixel of `film`. Returns the pipeline's compile time in milliseconds.
+double trace_aovs(const Device& device, const GpuScene& scene, SceneLoads loads,
+                  const TraceSpecialization& specialization, Film& film);
+
+}  // namespace vernier

@@ -1,0 +1,57 @@
+#include "render/trace_pipeline.h"
+
+#include <algorithm>
+#include <array>
+
+#include "shared/effects.h"
+#include "shared/specialization_ids.h"
+#include "spirv/primary_storage.h"
+#include "spirv/primary_texels.h"
+#include "spirv/trace_storage.h"
+#include "spirv/trace_texels.h"
+
+namespace vernier {
+namespace {
+
+/// More waiting rays than that cost registers and memory in every lane; with the default cutoff weights die first.
+constexpr std::uint32_t kLargestPathStack = 64;
+/// Shifting beats an indexed array on llvmpipe up to about that depth.
+constexpr std::uint32_t kDeepestShiftStack = 24;
+
+}  // namespace
+
+TraceSpecialization specialize(std::uint32_t effects, std::uint32_t bvh_depth, std::uint32_t max_bounces,
+                               bool count_cost, const DeviceDescription& device) {
+  const bool scatters = (effects & (EFFECT_REFLECTION | EFFECT_REFRACTION)) != 0;
+  const bool splits = (effects & EFFECT_REFLECTION) != 0 && (effects & EFFECT_REFRACTION) != 0;
+  const bool passes = (effects & (EFFECT_ALPHA_MASK | EFFECT_ALPHA_BLEND)) != 0;
+  const std::uint32_t per_depth = (splits ? 1u : 0u) + (passes && scatters ? 1u : 0u);
+  const std::uint64_t waiting = std::uint64_t{per_depth} * max_bounces;
+  TraceSpecialization values;
+  values.effects = effects;
+  values.traversal_stack = std::max(bvh_depth, 1u);
+  values.shift_stack = device.is_llvmpipe && bvh_depth <= kDeepestShiftStack;
+  values.path_stack = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(waiting, 1, kLargestPathStack));
+  values.count_cost = count_cost;
+  return values;
+}
+
+ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLoads loads,
+                                    const TraceSpecialization& specialization, std::span<const Binding> bindings) {
+  const bool texels = loads == SceneLoads::texels;
+  const auto spirv = kernel == Kernel::trace ? (texels ? kTraceTexelsSpirv : kTraceStorageSpirv)
+                                             : (texels ? kPrimaryTexelsSpirv : kPrimaryStorageSpirv);
+  const std::array<SpecializationValue, 5> values = {
+      SpecializationValue{SPECIALIZATION_EFFECTS, specialization.effects},
+      SpecializationValue{SPECIALIZATION_TRAVERSAL_STACK, specialization.traversal_stack},
+      SpecializationValue{SPECIALIZATION_SHIFT_STACK, specialization.shift_stack ? 1u : 0u},
+      SpecializationValue{SPECIALIZATION_PATH_STACK, specialization.path_stack},
+      SpecializationValue{SPECIALIZATION_COUNT_COST, specialization.count_cost ? 1u : 0u}};
+  return ComputePipeline(device, spirv, bindings, sizeof(DispatchConstants), values);
+}
+
+std::string trace_spirv_hash(SceneLoads loads) {
+  return std::string(loads == SceneLoads::texels ? kTraceTexelsSha256 : kTraceStorageSha256);
+}
+
+}  // namespace vernier

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "gpu/compute_pipeline.h"
+#include "render/gpu_scene.h"
+#include "shared/render_constants.h"
+
+namespace vernier {
+
+/// What the kernels are specialized to.
+struct TraceSpecialization {
+  std::uint32_t effects = 0;          ///< OR of EFFECT_*
+  std::uint32_t traversal_stack = 1;  ///< entries
+  bool shift_stack = false;           ///< traversal stack in shifted registers
+  std::uint32_t path_stack = 1;       ///< rays that can wait
+  bool count_cost = false;
+};
+
+/// The specialization for a scene of `bvh_depth` with `effects`, at most `max_bounces` deep, on `device`.
+/// Two rays can wait per depth (shaders/trace_path.glsl); beyond 64 in all they are dropped and counted.
+TraceSpecialization specialize(std::uint32_t effects, std::uint32_t bvh_depth, std::uint32_t max_bounces,
+                               bool count_cost, const DeviceDescription& device);
+
+/// Which kernel.
+enum class Kernel {
+  trace,   ///< samples into the film
+  primary  ///< AOVs at pixel centres
+};
+
+/// Compiles `kernel` for buffers that are bound like `bindings`.
+ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLoads loads,
+                                    const TraceSpecialization& specialization, std::span<const Binding> bindings);
+
+/// SHA-256 of the trace kernel's SPIR-V.
+std::string trace_spirv_hash(SceneLoads loads);
+
+}  // namespace vernier

@@ -1,0 +1,33 @@
+#include "scene/environment_image.h"
+
+#include <bit>
+
+#include "scene/texel_color.h"
+#include "scene/texture_from_image.h"
+
+namespace vernier {
+namespace {
+
+std::shared_ptr<const Texels> as_float(std::shared_ptr<const Texels> texels) {
+  if (texels->format == TEXTURE_FORMAT_FLOAT) return texels;
+  Texels result{TEXTURE_FORMAT_FLOAT, texels->width, texels->height, {}};
+  const std::size_t count = std::size_t{texels->width} * texels->height;
+  result.words.reserve(4 * count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const glm::vec4 color = texel_color(*texels, i);
+    for (int c = 0; c < 4; ++c) result.words.push_back(std::bit_cast<std::uint32_t>(color[c]));
+  }
+  return std::make_shared<const Texels>(std::move(result));
+}
+
+}  // namespace
+
+int add_environment_image(Scene& scene, const std::string& path) {
+  std::shared_ptr<const Texels> texels = as_float(decode_texels_from_file(path, TexelEncoding::srgb));
+  const Sampler sampler{TEXTURE_WRAP_REPEAT, TEXTURE_WRAP_CLAMP, TEXTURE_FILTER_LINEAR};
+  scene.textures.push_back({path, sampler, std::move(texels)});
+  scene.environment.texture = static_cast<int>(scene.textures.size()) - 1;
+  return scene.environment.texture;
+}
+
+}  // namespace vernier

@@ -1,0 +1,73 @@
+#include <utility>
+
+#include "scene/gltf_cameras.h"
+#include "scene/gltf_document.h"
+#include "scene/gltf_draco.h"
+#include "scene/gltf_lights.h"
+#include "scene/gltf_materials.h"
+#include "scene/gltf_meshes.h"
+#include "scene/gltf_meshopt.h"
+#include "scene/gltf_nodes.h"
+#include "scene/load_scene.h"
+
+namespace vernier {
+namespace {
+
+void add_instances(GltfDocument& document, const std::vector<int>& nodes,
+                   const std::vector<glm::dmat4>& world_from_node, GltfMeshes& meshes, Scene& scene) {
+  for (const int index : nodes) {
+    const tinygltf::Node& node = document.model.nodes[static_cast<std::size_t>(index)];
+    if (node.mesh < 0) continue;
+    const std::uint32_t mesh = gltf_mesh_of_node(document, index, world_from_node, meshes, scene);
+    const std::string& name = node.name.empty() ? scene.meshes[mesh].name : node.name;
+    if (node.skin >= 0) {  // the joints have placed it; the node's own transform is ignored
+      scene.instances.push_back({name, mesh, glm::dmat4(1.0)});
+      continue;
+    }
+    for (const glm::dmat4& node_from_instance : gltf_node_instances(document, index)) {
+      const glm::dmat4 world = world_from_node[static_cast<std::size_t>(index)] * node_from_instance;
+      scene.instances.push_back({name, mesh, world});
+    }
+  }
+}
+
+void add_materials(GltfDocument& document, const GltfMeshes& meshes, Scene& scene) {
+  GltfTextures textures;
+  for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
+    scene.materials.push_back(gltf_material(document, static_cast<int>(i), textures, scene));
+  }
+  if (meshes.uses_default_material) scene.materials.push_back(gltf_default_material());
+}
+
+void report_skipped(GltfDocument& document, const GltfMeshes& meshes) {
+  if (meshes.skipped_primitives == 0) return;
+  unsupported_gltf(document, meshes.first_skipped,
+                   "points and lines are not drawn (" + std::to_string(meshes.skipped_primitives) +
+                       (meshes.skipped_primitives == 1 ? " primitive)" : " primitives)"));
+}
+
+}  // namespace
+
+Scene load_gltf(const std::string& path, const LoadOptions& options) {
+  GltfDocument document = read_gltf_document(path, options);
+  expand_gltf_meshopt(document);
+  expand_gltf_draco(document);
+  const std::vector<glm::dmat4> world_from_node = gltf_world_matrices(document);
+  const std::vector<int> nodes = gltf_scene_nodes(document);
+
+  Scene scene;
+  scene.source = path;
+  GltfMeshes meshes;
+  add_instances(document, nodes, world_from_node, meshes, scene);
+  report_skipped(document, meshes);
+  if (meshes.triangle_count == 0 || scene.instances.empty()) {
+    refuse_gltf(document, "", "the scene has no triangles to show");
+  }
+  add_materials(document, meshes, scene);
+  scene.cameras = gltf_cameras(document, nodes, world_from_node);
+  scene.lights = gltf_lights(document, nodes, world_from_node);
+  scene.warnings = std::move(document.warnings);
+  return scene;
+}
+
+}  // namespace vernier
