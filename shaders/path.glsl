@@ -21,7 +21,14 @@ struct RayCounts {
   uint primary, shadow, reflection, refraction, dropped, nodes, triangles;
 };
 
+// Where an invocation keeps its path: word w at w * stride + invocation of the path buffer.
+struct PathPlace {
+  uint invocation;
+  uint stride;
+};
+
 struct Path {
+  PathPlace place;
   uint sample_index;
   bool hit;  // the primary ray hit something
   vec3 radiance;
@@ -29,16 +36,10 @@ struct Path {
   PathRay current;
 };
 
-THREAD_PRIVATE PathRay waiting_rays[PATH_STACK_SIZE];
+uint path_word(IN(PathPlace) place, IN(uint) word) { return place.invocation + word * place.stride; }
 
-// Puts `ray` on the stack; a full stack drops it, which is counted and reported.
-void push_ray(INOUT(Path) path, INOUT(RayCounts) counts, IN(PathRay) ray) {
-  if (path.waiting < PATH_STACK_SIZE) {
-    waiting_rays[path.waiting] = ray;
-    path.waiting++;
-  } else {
-    counts.dropped++;
-  }
+uint stack_slot(IN(PathPlace) place, IN(uint) index) {
+  return path_word(place, PATH_HEAD_WORDS + PATH_RAY_WORDS * (index + 1u));
 }
 
 void save_ray(IN(uint) first, IN(uint) stride, IN(PathRay) ray) {
@@ -73,31 +74,43 @@ PathRay restored_ray(IN(uint) first, IN(uint) stride) {
   return ray;
 }
 
-// Word w of invocation i lies at w * stride + i.
-void save_path(IN(uint) invocation, IN(uint) stride, IN(Path) path) {
-  store_path(invocation, path.sample_index);
-  store_path(invocation + stride, path.hit ? 1u : 0u);
-  store_path(invocation + 2u * stride, floatBitsToUint(path.radiance.x));
-  store_path(invocation + 3u * stride, floatBitsToUint(path.radiance.y));
-  store_path(invocation + 4u * stride, floatBitsToUint(path.radiance.z));
-  store_path(invocation + 5u * stride, path.waiting);
-  save_ray(invocation + PATH_HEAD_WORDS * stride, stride, path.current);
-  for (uint i = 0u; i < path.waiting; i++) {
-    save_ray(invocation + (PATH_HEAD_WORDS + PATH_RAY_WORDS * (i + 1u)) * stride, stride, waiting_rays[i]);
+// Puts `ray` on the stack; a full stack drops it, which is counted and reported. The stack lies in memory at all times:
+// where a driver's loop limit cuts a kernel off, no loop could be trusted to save it.
+void push_ray(INOUT(Path) path, INOUT(RayCounts) counts, IN(PathRay) ray) {
+  if (path.waiting < PATH_STACK_SIZE) {
+    save_ray(stack_slot(path.place, path.waiting), path.place.stride, ray);
+    path.waiting++;
+  } else {
+    counts.dropped++;
   }
 }
 
-Path restored_path(IN(uint) invocation, IN(uint) stride) {
+// The ray that came last onto the stack, which is not empty.
+PathRay pop_ray(INOUT(Path) path) {
+  path.waiting--;
+  return restored_ray(stack_slot(path.place, path.waiting), path.place.stride);
+}
+
+void save_path(IN(Path) path) {
+  PathPlace place = path.place;
+  store_path(path_word(place, 0u), path.sample_index);
+  store_path(path_word(place, 1u), path.hit ? 1u : 0u);
+  store_path(path_word(place, 2u), floatBitsToUint(path.radiance.x));
+  store_path(path_word(place, 3u), floatBitsToUint(path.radiance.y));
+  store_path(path_word(place, 4u), floatBitsToUint(path.radiance.z));
+  store_path(path_word(place, 5u), path.waiting);
+  save_ray(path_word(place, PATH_HEAD_WORDS), place.stride, path.current);
+}
+
+Path restored_path(IN(PathPlace) place) {
   Path path;
-  path.sample_index = load_path(invocation);
-  path.hit = load_path(invocation + stride) != 0u;
-  path.radiance = vec3(load_path_float(invocation + 2u * stride), load_path_float(invocation + 3u * stride),
-                       load_path_float(invocation + 4u * stride));
-  path.waiting = load_path(invocation + 5u * stride);
-  path.current = restored_ray(invocation + PATH_HEAD_WORDS * stride, stride);
-  for (uint i = 0u; i < path.waiting; i++) {
-    waiting_rays[i] = restored_ray(invocation + (PATH_HEAD_WORDS + PATH_RAY_WORDS * (i + 1u)) * stride, stride);
-  }
+  path.place = place;
+  path.sample_index = load_path(path_word(place, 0u));
+  path.hit = load_path(path_word(place, 1u)) != 0u;
+  path.radiance = vec3(load_path_float(path_word(place, 2u)), load_path_float(path_word(place, 3u)),
+                       load_path_float(path_word(place, 4u)));
+  path.waiting = load_path(path_word(place, 5u));
+  path.current = restored_ray(path_word(place, PATH_HEAD_WORDS), place.stride);
   return path;
 }
 

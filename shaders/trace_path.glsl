@@ -133,8 +133,7 @@ bool next_ray(INOUT(Path) path, IN(Children) children, INOUT(RayCounts) counts) 
     path.current = children.passed;
   } else {
     if (path.waiting == 0u) return false;
-    path.waiting--;
-    path.current = waiting_rays[path.waiting];
+    path.current = pop_ray(path);
   }
   return true;
 }

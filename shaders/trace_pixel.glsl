@@ -7,11 +7,11 @@
 #include "sample_pattern.glsl"
 #include "trace_path.glsl"
 
-Path begun_sample(IN(uint) x, IN(uint) y, IN(uint) sample_index) {
+Path begun_sample(IN(PathPlace) place, IN(uint) x, IN(uint) y, IN(uint) sample_index) {
   RenderConstants constants = render_constants();
   vec2 offset = sample_offset(x, y, sample_index, constants.seed, constants.spp);
   Ray ray = camera_ray(vec2(float(x), float(y)) + offset);
-  return Path(sample_index, false, vec3(0.0f), 0u, PathRay(ray.origin, ray.direction, vec3(1.0f), 0.0f, NONE, 0u, NONE));
+  return Path(place, sample_index, false, vec3(0.0f), 0u, PathRay(ray.origin, ray.direction, vec3(1.0f), 0.0f, NONE, 0u, NONE));
 }
 
 void report_counts(IN(RayCounts) counts) {
@@ -27,12 +27,12 @@ void report_counts(IN(RayCounts) counts) {
 // cuts off is traced again with a fresh limit, so nothing is lost silently.
 void trace_pixel(IN(uint) x, IN(uint) y, IN(uint) invocation) {
   DispatchConstants dispatch_values = dispatch_constants();
-  uint stride = dispatch_values.tile_width * dispatch_values.tile_height;
+  PathPlace place = PathPlace(invocation, dispatch_values.tile_width * dispatch_values.tile_height);
   uint pixel = (y - dispatch_values.band_y) * dispatch_values.band_width + (x - dispatch_values.band_x);
-  Path path = begun_sample(x, y, dispatch_values.sample_begin);
+  Path path = begun_sample(place, x, y, dispatch_values.sample_begin);
   RayCounts counts = RayCounts(0u, 0u, 0u, 0u, 0u, 0u, 0u);
   if (dispatch_values.resume != 0u) {
-    path = restored_path(invocation, stride);
+    path = restored_path(place);
   } else {
     counts.primary++;
   }
@@ -52,7 +52,7 @@ void trace_pixel(IN(uint) x, IN(uint) y, IN(uint) invocation) {
       add_sample(sum, path.radiance, path.hit, path.sample_index);
       uint next_sample = path.sample_index + 1u;
       going = next_sample < dispatch_values.sample_end;
-      path = begun_sample(x, y, next_sample);
+      path = begun_sample(place, x, y, next_sample);
       counts.primary += going ? 1u : 0u;
     }
   }
@@ -60,7 +60,7 @@ void trace_pixel(IN(uint) x, IN(uint) y, IN(uint) invocation) {
   sum.nodes += counts.nodes;
   sum.triangles += counts.triangles;
   store_pixel_sum(pixel, sum);
-  save_path(invocation, stride, path);
+  save_path(path);
   bool unfinished = path.sample_index < dispatch_values.sample_end;
   add_to_counter(COUNTER_UNFINISHED, unfinished ? 1u : 0u);
   add_to_counter(COUNTER_STUCK, unfinished && rays == 0u ? 1u : 0u);

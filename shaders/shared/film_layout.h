@@ -39,10 +39,10 @@
 #define COUNTER_STUCK 6u            // invocations that could not finish even one ray of their budget
 #define COUNTER_COUNT 8u
 
-// A path to be followed: origin 3, direction 3, weight 3, t_min, after_triangle, depth | medium.
+// A ray to be followed: origin 3, direction 3, weight 3, t_min, after_triangle, depth, medium.
 #define PATH_RAY_WORDS 13u
-// A saved path: sample, hit, radiance 3, stack count, rays; then the current ray and the stack.
-#define PATH_HEAD_WORDS 10u
+// A saved path: sample, hit, radiance 3, rays that wait; then the current ray and those that wait.
+#define PATH_HEAD_WORDS 6u
 #define PATH_WORDS(stack_size) (PATH_HEAD_WORDS + PATH_RAY_WORDS * (1u + (stack_size)))
 
 #endif

@@ -8,12 +8,18 @@ namespace vernier {
 /// What the program does once the command line is read. Returns the exit code; throws Error for any failure.
 using Command = std::function<int()>;
 
-/// Each of these adds its subcommand to `app`, with options, defaults and an example; when the command line names it,
-/// `chosen` becomes the command to run. `chosen` outlives the parse.
+// Each of these adds its subcommand to `app`, with options, defaults and an example; when the command line names it,
+// `chosen` becomes the command to run. `chosen` outlives the parse.
+
+/// `vernier render`: one image.
 void add_render_command(CLI::App& app, Command& chosen);
+/// `vernier explain`: the effects of a scene and why.
 void add_explain_command(CLI::App& app, Command& chosen);
+/// `vernier reference`: the double-precision image.
 void add_reference_command(CLI::App& app, Command& chosen);
+/// `vernier diff`: figures of two images.
 void add_diff_command(CLI::App& app, Command& chosen);
+/// `vernier devices`: what there is to render on.
 void add_devices_command(CLI::App& app, Command& chosen);
 
 }  // namespace vernier

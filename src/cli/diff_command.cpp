@@ -5,6 +5,7 @@
 #include "cli/diff_report.h"
 #include "cli/output_file.h"
 #include "cli/parse_values.h"
+#include "image/color_image.h"
 #include "image/read_image.h"
 #include "image/whole_file.h"
 #include "image/write_image.h"

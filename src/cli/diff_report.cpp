@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-#include "error.h"
+#include "image/color_image.h"
 
 namespace vernier {
 namespace {
@@ -18,27 +18,13 @@ std::string line(const char* name, const char* format, double value) {
 
 }  // namespace
 
-Image color_image(const ImageFile& file, const std::string& path) {
-  for (const Layer& layer : file.layers) {
-    const auto* values = std::get_if<std::vector<float>>(&layer.values);
-    if (layer.name.empty() && values) {
-      return Image{file.width, file.height, static_cast<int>(layer.channels.size()), *values};
-    }
-  }
-  throw Error(ErrorKind::refused, path + ": has no colour layer to compare");
-}
-
 ImageFile flip_map_image(const FlipError& flip) {
   std::vector<float> values;
   values.reserve(flip.map.size() * 3);
   for (const float error : flip.map) {
     values.insert(values.end(), {error, error, error});
   }
-  ImageFile image;
-  image.width = image.full_width = flip.width;
-  image.height = image.full_height = flip.height;
-  image.layers.push_back(Layer{"", {"R", "G", "B"}, std::move(values)});
-  return image;
+  return file_of_image(Image{flip.width, flip.height, 3, std::move(values)});
 }
 
 std::string diff_table(const DiffReport& report) {

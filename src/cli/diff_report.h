@@ -17,10 +17,6 @@ struct DiffReport {
   FlipError flip;
 };
 
-/// The colour layer of `file`: the one without a name. `path` is named where there is none or it holds ids:
-/// Error(refused).
-Image color_image(const ImageFile& file, const std::string& path);
-
 /// The FLIP map as a colour layer R = G = B for write_image.
 ImageFile flip_map_image(const FlipError& flip);
 

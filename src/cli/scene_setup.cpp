@@ -26,7 +26,7 @@ void set_background(Scene& scene, const SceneSettings& settings) {
     scene.environment.sky = scene.environment.ground = *settings.background_color;
   } else if (!settings.background_file.empty()) {
     scene.environment = Environment{};
-    add_environment_image(scene, settings.background_file);
+    scene.environment.texture = add_environment_image(scene, settings.background_file);
   }
 }
 

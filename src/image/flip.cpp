@@ -106,8 +106,8 @@ double percentile_99(std::vector<float> values) {
 
 FlipError flip(const Image& reference, const Image& test, float exposure_ev, double pixels_per_degree) {
   check_pair(reference, test);
-  if (!(pixels_per_degree > 0.0 && pixels_per_degree <= 10000.0))
-    throw Error(ErrorKind::usage, "FLIP: pixels per degree must be above 0 and at most 10000");
+  if (!(pixels_per_degree >= 1.0 && pixels_per_degree <= 10000.0))
+    throw Error(ErrorKind::usage, "FLIP: pixels per degree must be from 1 to 10000");
   if (!(std::fabs(exposure_ev) <= 100.0f)) throw Error(ErrorKind::usage, "FLIP: the exposure must be within +-100 EV");
   const double gain = std::exp2(static_cast<double>(exposure_ev));
   const Planes opponent_a = opponent_planes(reference, gain);

@@ -21,7 +21,7 @@ struct FlipError {
 /// LDR-FLIP of `test` against `reference`, from the definitions in Andersson, Nilsson, Akenine-Moeller, Oskarsson,
 /// Astroem and Fairchild 2020, FLIP: A Difference Evaluator for Alternating Images, PACM CGIT 3(2).
 /// Both are linear Rec.709, multiplied by 2^exposure_ev and clamped to [0, 1]; non-finite pixels count as magenta, as a
-/// display image shows them. No rounding to 8 bits takes place. `pixels_per_degree` (above 0, at most 10000) is the
+/// display image shows them. No rounding to 8 bits takes place. `pixels_per_degree` (1 to 10000) is the
 /// viewing distance, `exposure_ev` within +-100. Alpha is not compared. Single precision, one thread; O(pixels x
 /// pixels_per_degree). Throws Error(usage) as compare_images does and for values of the parameters outside their range.
 FlipError flip(const Image& reference, const Image& test, float exposure_ev = 0.0f,

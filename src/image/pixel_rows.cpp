@@ -32,9 +32,11 @@ void read_rows(const std::string& path, OIIO::ImageInput& input, const TakeRows&
   const OIIO::ImageSpec spec = input.spec();
   const int rows_per_block = std::min(spec.tile_width == 0 ? kRowsPerBlock : spec.tile_height, spec.height);
   std::vector<std::byte> bytes(spec.scanline_bytes(true) * rows_per_block);
+  input.geterror();  // what was said before is about other things
   for (int row = 0; row < spec.height; row += rows_per_block) {
     const int row_count = std::min(rows_per_block, spec.height - row);
-    if (!read_block(input, spec, spec.y + row, spec.y + row + row_count, bytes.data())) {
+    // The TIFF reader claims success for strips that are cut off, but it notes the error.
+    if (!read_block(input, spec, spec.y + row, spec.y + row + row_count, bytes.data()) || input.has_error()) {
       std::string reason = input.geterror();
       std::replace(reason.begin(), reason.end(), '\n', ' ');
       throw Error(ErrorKind::refused,

@@ -12,16 +12,20 @@ struct WorldBounds {
   glm::dvec3 hi;
 };
 
-/// The bounds of `scene`, which has passed validate_scene.
+/// The bounds of `scene`, which has passed validate_scene. Dropped triangles (all indices 0) do not count; where
+/// nothing is left lo is +infinity and hi -infinity.
 WorldBounds world_bounds(const Scene& scene);
 
 /// A camera at three quarters (from +X +Y +Z) with `vertical_fov` that sees all of `bounds` in an image of
-/// `aspect` = width / height, touching it. A box without extent is given 1 metre.
+/// `aspect` = width / height: the nearest eye whose picture the box fills, but for a margin of 5 %, in width or height
+/// on both sides. A box thinner than 1/1000 of its largest extent on one axis is seen from nearer that axis's positive
+/// side. A box without extent is given 1 metre, an empty one that at the origin.
 Camera frame_camera(const WorldBounds& bounds, double vertical_fov, double aspect);
 
 /// Adds what a scene without lights and environment is shown with: a directional key from above and beside `camera`,
 /// a weaker fill from its other side and a soft gradient environment. Does nothing where the file brings lights
-/// (then the environment stays black) unless the caller set an environment.
+/// (then the environment stays black). Without lights an environment that is not black, or an ambient override, stays
+/// as the caller set it and only the lights are added.
 void add_default_lighting(Scene& scene, const Camera& camera);
 
 }  // namespace vernier

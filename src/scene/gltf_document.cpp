@@ -118,6 +118,15 @@ void take_views_back(tinygltf::Model& model, const std::vector<bool>& lent) {
   }
 }
 
+// tinygltf complains of a skin without inverse bind matrices, which are identities then.
+void name_missing_inverse_binds(json& root) {
+  const auto skins = root.find("skins");
+  if (skins == root.end() || !skins->is_array()) return;
+  for (json& skin : *skins) {
+    if (skin.is_object() && !skin.contains("inverseBindMatrices")) skin["inverseBindMatrices"] = -1;
+  }
+}
+
 /// The first line of what tinygltf has to say.
 std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
@@ -125,6 +134,7 @@ std::string first_line(const std::string& text) {
 
 void parse_model(GltfDocument& document, json& root) {
   const std::vector<bool> lent = lend_views(root);
+  name_missing_inverse_binds(root);
   tinygltf::TinyGLTF parser;
   parser.SetImageLoader(leave_image_encoded, nullptr);
   std::string error;
@@ -172,11 +182,14 @@ void unsupported_gltf(GltfDocument& document, const std::string& place, const st
 }
 
 GltfDocument read_gltf_document(const std::string& path, const LoadOptions& options) {
+  return parse_gltf_document(read_file_bytes(path, path, kMaxFileBytes), path, options);
+}
+
+GltfDocument parse_gltf_document(std::span<const std::byte> file, const std::string& path, const LoadOptions& options) {
   GltfDocument document;
   document.path = path;
   document.directory = std::filesystem::path(path).parent_path().string();
   document.strict = options.strict;
-  const std::vector<std::byte> file = read_file_bytes(path, path, kMaxFileBytes);
   const GltfContainer container = split_gltf_container(file, path, has_binary_extension(path));
   GltfJson parsed = parse_gltf_json(container.json, path);
 

@@ -56,6 +56,9 @@ void unsupported_gltf(GltfDocument& document, const std::string& place, const st
 /// file and place.
 GltfDocument read_gltf_document(const std::string& path, const LoadOptions& options);
 
+/// The same for the bytes `file` of a file that `path` names; relative URIs start in its folder.
+GltfDocument parse_gltf_document(std::span<const std::byte> file, const std::string& path, const LoadOptions& options);
+
 /// The bytes of a bufferView, checked against its buffer. `place` names who asks.
 std::span<const std::byte> gltf_view_bytes(const GltfDocument& document, int view, const std::string& place);
 

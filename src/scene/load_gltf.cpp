@@ -46,17 +46,14 @@ void report_skipped(GltfDocument& document, const GltfMeshes& meshes) {
                        (meshes.skipped_primitives == 1 ? " primitive)" : " primitives)"));
 }
 
-}  // namespace
-
-Scene load_gltf(const std::string& path, const LoadOptions& options) {
-  GltfDocument document = read_gltf_document(path, options);
+Scene scene_of_document(GltfDocument document) {
   expand_gltf_meshopt(document);
   expand_gltf_draco(document);
   const std::vector<glm::dmat4> world_from_node = gltf_world_matrices(document);
   const std::vector<int> nodes = gltf_scene_nodes(document);
 
   Scene scene;
-  scene.source = path;
+  scene.source = document.path;
   GltfMeshes meshes;
   add_instances(document, nodes, world_from_node, meshes, scene);
   report_skipped(document, meshes);
@@ -68,6 +65,16 @@ Scene load_gltf(const std::string& path, const LoadOptions& options) {
   scene.lights = gltf_lights(document, nodes, world_from_node);
   scene.warnings = std::move(document.warnings);
   return scene;
+}
+
+}  // namespace
+
+Scene load_gltf(const std::string& path, const LoadOptions& options) {
+  return scene_of_document(read_gltf_document(path, options));
+}
+
+Scene load_gltf_memory(std::span<const std::byte> file, const std::string& name, const LoadOptions& options) {
+  return scene_of_document(parse_gltf_document(file, name, options));
 }
 
 }  // namespace vernier

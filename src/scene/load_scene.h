@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
 #include <string>
 
 #include "scene/scene.h"
@@ -17,6 +19,9 @@ Scene load_scene(const std::string& path, const LoadOptions& options);
 
 /// Reads glTF 2.0, text or binary.
 Scene load_gltf(const std::string& path, const LoadOptions& options);
+
+/// Reads glTF 2.0, text or binary, from the bytes `file` of a file called `name` (for messages and relative URIs).
+Scene load_gltf_memory(std::span<const std::byte> file, const std::string& name, const LoadOptions& options);
 
 /// Reads Wavefront OBJ with its MTL files.
 Scene load_obj(const std::string& path, const LoadOptions& options);

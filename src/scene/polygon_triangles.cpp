@@ -8,6 +8,8 @@ namespace {
 // A polygon that needs more point tests than this per corner is not simple or is made to stall: the rest is cut
 // unchecked.
 constexpr std::size_t kTestsPerCorner = 8192;
+// And never more than this, a second or a few.
+constexpr std::size_t kMostTests = std::size_t{1} << 28;
 
 // Normal of a polygon whose length is twice its area (Newell's method), about the first corner to keep far ones exact.
 glm::dvec3 newell_normal(std::span<const glm::dvec3> corners) {
@@ -43,15 +45,21 @@ double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
 class EarClipper {
  public:
   explicit EarClipper(std::span<const glm::dvec3> corners)
-      : flat_(project(corners)), previous_(flat_.size()), next_(flat_.size()), remaining_(flat_.size()) {
+      : flat_(project(corners)),
+        previous_(flat_.size()),
+        next_(flat_.size()),
+        bends_in_(flat_.size()),
+        remaining_(flat_.size()) {
     const auto count = static_cast<std::uint32_t>(flat_.size());
     for (std::uint32_t i = 0; i < count; ++i) {
       previous_[i] = (i + count - 1) % count;
       next_[i] = (i + 1) % count;
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-      if (corner_turn(i) < 0.0) reflex_.push_back(i);
+      bends_in_[i] = corner_turn(i) < 0.0;
+      if (bends_in_[i]) reflex_.push_back(i);
     }
+    reflex_count_ = reflex_.size();
   }
 
   bool convex() const { return reflex_.empty(); }
@@ -87,7 +95,8 @@ class EarClipper {
     // Where any corner lies inside, a reflex one does.
     for (const std::uint32_t i : reflex_) {
       const glm::dvec2 p = flat_[i];
-      if (p == a || p == b || p == c) continue;  // the corners themselves, and twins of theirs in a bridge
+      // The corners themselves, and twins of theirs in a bridge, do not lie inside.
+      if (!bends_in_[i] || p == a || p == b || p == c) continue;
       if (turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0) return false;
     }
     return true;
@@ -98,18 +107,30 @@ class EarClipper {
     const std::uint32_t after = next_[corner];
     next_[previous_[corner]] = after;
     previous_[after] = previous_[corner];
-    next_[corner] = corner;
     --remaining_;
-    std::erase_if(reflex_, [&](std::uint32_t i) { return next_[i] == i || !(corner_turn(i) < 0.0); });
+    forget_reflex(corner);
+    // The angles beside the cut get smaller and may bend in no longer.
+    for (const std::uint32_t beside : {previous_[corner], after}) {
+      if (!(corner_turn(beside) < 0.0)) forget_reflex(beside);
+    }
     return after;
+  }
+
+  void forget_reflex(std::uint32_t corner) {
+    if (!bends_in_[corner]) return;
+    bends_in_[corner] = false;
+    --reflex_count_;
+    if (reflex_.size() > 2 * reflex_count_) std::erase_if(reflex_, [&](std::uint32_t i) { return !bends_in_[i]; });
   }
 
   std::vector<glm::dvec2> flat_;
   std::vector<std::uint32_t> previous_;
-  std::vector<std::uint32_t> next_;  // of itself: cut off
-  std::vector<std::uint32_t> reflex_;
+  std::vector<std::uint32_t> next_;
+  std::vector<bool> bends_in_;
+  std::vector<std::uint32_t> reflex_;  // holds all that bend in, and some that no longer do
+  std::size_t reflex_count_ = 0;
   std::size_t remaining_;
-  std::size_t budget_ = kTestsPerCorner * flat_.size();
+  std::size_t budget_ = std::min(kTestsPerCorner * flat_.size(), kMostTests);
 };
 
 bool cut_from_first_corner(std::span<const glm::dvec3> quad) {

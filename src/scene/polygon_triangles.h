@@ -15,7 +15,8 @@ using PolygonTriangle = std::array<std::uint32_t, 3>;
 /// (none for n < 3). Convex quads are cut along the shorter diagonal, larger convex polygons as a fan, all others by
 /// ear clipping in the plane of the Newell normal (Meisters 1975, Polygons Have Ears). Coincident corners, as in holes
 /// joined by a bridge, are allowed. Self-intersecting, collinear and non-finite polygons also give n - 2 triangles, of
-/// which some may overlap or have no area. O(n) for convex polygons, else O(n^2) at most.
+/// which some may overlap or have no area. O(n) for convex polygons, else O(n^2),
+/// with a bound beyond which the rest of a polygon is cut unchecked.
 void append_polygon_triangles(std::span<const glm::dvec3> corners, std::vector<PolygonTriangle>& triangles);
 
 }  // namespace vernier

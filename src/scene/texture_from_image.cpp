@@ -13,9 +13,13 @@
 #include <vector>
 
 #include "error.h"
+#include "image/srgb_curve.h"
 
 namespace vernier {
 namespace {
+
+/// Rows read at once: enough to make a call's overhead small.
+constexpr int kBandRows = 64;
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
   throw Error(ErrorKind::refused, name + ": " + what);
@@ -54,18 +58,14 @@ std::array<int, 4> channel_order(int count) {
   }
 }
 
-/// IEC 61966-2-1.
-float linear_from_srgb(float value) {
-  return value <= 0.04045f ? value / 12.92f : std::pow((value + 0.055f) / 1.055f, 2.4f);
-}
-
-// Rows are read one at a time: the only large allocation is the result, whose size has been checked. The reader of
-// a format without scanlines (tiled EXR, TIFF) is asked for the whole image instead.
+// Read in bands: the only large allocation is the result, whose size has been checked. A tiled image (EXR, TIFF) is
+// read a row of tiles at a time.
 template <typename T, typename StoreTexel>
 void read_texels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std::string& name, StoreTexel store) {
   const std::size_t channels = std::size_t(spec.nchannels > 4 ? 4 : spec.nchannels);
   const auto type = OIIO::BaseTypeFromC<T>::value;
-  const int band_rows = spec.tile_width > 0 ? std::clamp(spec.tile_height, 1, spec.height) : 1;
+  const int band_rows =
+      spec.tile_width > 0 ? std::clamp(spec.tile_height, 1, spec.height) : std::min(kBandRows, spec.height);
   std::vector<T> band(std::size_t(spec.width) * std::size_t(band_rows) * channels);
   for (int row = 0; row < spec.height; row += band_rows) {
     const int end = std::min(row + band_rows, spec.height);
@@ -102,7 +102,7 @@ void read_floats(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std
     for (std::size_t c = 0; c < 4; ++c) {
       float value = order[c] < 0 ? 1.0f : values[order[c]];
       if (!std::isfinite(value)) value = 0.0f;
-      if (decode_srgb && c < 3) value = linear_from_srgb(value);
+      if (decode_srgb && c < 3) value = static_cast<float>(linear_from_srgb(value));
       texels.words[texel * 4 + c] = std::bit_cast<std::uint32_t>(value);
     }
   });

@@ -5,7 +5,7 @@ import math
 from scene_making import meshes, pictures
 from scene_making.gltf import CLAMP, REPEAT, SceneFile, about
 from scene_making.meshes import Mesh
-from scene_making.studies import BALL_LEVEL, GREY, WHITE, board, glass_extensions, ground
+from scene_making.studies import WHITE, board, ground
 
 
 def alpha() -> bytes:
@@ -89,7 +89,7 @@ def normal_map() -> bytes:
     mirrored.uvs = [(-u, v) for u, v in mirrored.uvs]
     scene.add_node("mirrored quad", mesh=scene.add_mesh("mirrored quad", (mirrored, paint)), translation=[2.1, 0, 0])
     scene.add_light("lamp", "directional", (1, 0.97, 0.92), 2.8, towards=(0.8, -0.9, -0.9))
-    scene.add_camera("front", (0, 0, 6.5), (0, 0, 0), degrees=26)
+    scene.add_camera("front", (0, 0, 6.5), (0, 0, 0), degrees=32)
     return scene.to_bytes()
 
 
@@ -119,7 +119,7 @@ def vertex_colors() -> bytes:
     wall = scene.add_material("wall", (0.34, 0.36, 0.40))
     scene.add_node("wall", mesh=scene.add_mesh("wall", (meshes.quad((0, 0, -1.3), (12, 0, 0), (0, 6, 0)), wall)))
     scene.add_light("lamp", "directional", (1, 1, 1), 2.8, towards=(0.3, -0.5, -1.0))
-    scene.add_camera("front", (0, 0, 7), (0, 0, 0), degrees=26)
+    scene.add_camera("front", (0, 0, 7), (0, 0, 0), degrees=32)
     return scene.to_bytes()
 
 
@@ -144,7 +144,7 @@ def transforms() -> bytes:
         scene.add_node(f"sheared, {turn} degrees", parent=parent, mesh=arrow, rotation=about((1, 0, 1), -turn))
     scene.add_light("sun", "directional", (1, 0.98, 0.94), 2.4, towards=(-0.4, -1.0, -0.5))
     scene.add_light("fill", "point", (0.7, 0.85, 1.0), 14.0, at=(-3, 3, 5))
-    scene.add_camera("view", (0.2, 3.2, 7.6), (0.2, 0.5, 0), degrees=36)
+    scene.add_camera("view", (0.2, 3.2, 7.6), (0.2, 0.5, 0), degrees=30)
     return scene.to_bytes()
 
 

@@ -3,7 +3,7 @@
 import math
 
 from scene_making import meshes, pictures
-from scene_making.gltf import CLAMP, REPEAT, SceneFile, about
+from scene_making.gltf import CLAMP, SceneFile, about
 from scene_making.meshes import Mesh
 
 TITLE = "every_effect"
@@ -17,14 +17,15 @@ def table_and_wall(scene: SceneFile):
     table = meshes.quad((0, 0, 0.7), (9, 0, 0), (0, 0, -4.6))
     table.uvs = [(4.5 * u, 2.3 * v) for u, v in table.uvs]
     scene.add_node("table", mesh=scene.add_mesh("table", (table, floor)))
-    wall = meshes.sheet(lambda u, v: (14 * (u - 0.5), -1.5 + 6.5 * v, -4.4), 8, 8, wall_color)
+    # No higher than the camera sees: the sun comes from behind, over its edge.
+    wall = meshes.sheet(lambda u, v: (14 * (u - 0.5), -1.5 + 4.0 * v, -4.4), 8, 8, wall_color)
     plaster = scene.add_material("plaster")
     scene.add_node("wall", mesh=scene.add_mesh("wall", (wall, plaster)))
 
 
 def wall_color(u, v):
     """Slate at the left, plum at the right, darker towards the top."""
-    left, right = (0.10, 0.17, 0.24), (0.26, 0.13, 0.20)
+    left, right = (0.14, 0.24, 0.34), (0.40, 0.22, 0.28)
     return tuple((a + (b - a) * u) * (1.1 - 0.6 * v) for a, b in zip(left, right))
 
 
@@ -128,7 +129,7 @@ def vase(scene: SceneFile):
     """A twisted, fluted vase from coral to indigo: vertex colours on smooth normals."""
     def point_of(u, v):
         around = 2 * math.pi * u
-        body = 0.135 + 0.085 * math.sin(math.pi * (0.12 + 1.25 * v)) - 0.02 * v
+        body = 0.135 + 0.08 * math.cos(2 * math.pi * (v - 0.36))
         away = body * (1 + 0.07 * math.cos(9 * around + 5 * v))
         return (away * math.cos(around), 0.62 * v, -away * math.sin(around))
 
@@ -202,11 +203,12 @@ def ruler(scene: SceneFile):
 
 
 def lights_and_cameras(scene: SceneFile):
-    """A warm key through the screen, a cool point from behind, a sun through the window, the lantern's own glow."""
-    scene.add_light("key", "spot", (1.0, 0.87, 0.70), 62.0, at=(-3.7, 3.6, 2.3), towards=(0.05, 0.3, 0.0),
+    """A warm key through the screen, a cool point on the wall, a fill, a sun through the window, the lantern's glow."""
+    scene.add_light("key", "spot", (1.0, 0.87, 0.70), 66.0, at=(-4.3, 3.1, 0.7), towards=(0.1, 0.25, 0.0),
                     spot={"innerConeAngle": 0.22, "outerConeAngle": 0.46})
-    scene.add_light("cool", "point", (0.55, 0.74, 1.0), 9.0, at=(-2.2, 2.3, -2.9))
-    scene.add_light("sun", "directional", (1.0, 0.93, 0.82), 2.1, towards=(-0.62, -0.60, 0.62))
+    scene.add_light("cool", "point", (0.55, 0.74, 1.0), 11.0, at=(-2.2, 2.3, -2.9))
+    scene.add_light("fill", "point", (0.80, 0.88, 1.0), 10.0, at=(2.4, 3.4, 4.2))
+    scene.add_light("sun", "directional", (1.0, 0.93, 0.82), 3.9, towards=(-0.40, -0.62, 0.67))
     scene.add_light("lantern glow", "point", (1.0, 0.62, 0.28), 0.10, at=(-1.12, 0.17, 0.67), range=1.5)
     scene.add_camera("still life", (0.15, 1.42, 4.7), (0.06, 0.58, -0.1), degrees=31)
     scene.add_camera("elevation", (0.0, 0.75, 5.0), (0.0, 0.75, 0.0), half_height=1.15)

@@ -1,10 +1,7 @@
 """The small scenes: each shows one thing. A white wall facing its light is near 0.8: about 2.9 lux arrive there."""
 
-import math
-
 from scene_making import meshes, pictures
 from scene_making.gltf import CLAMP, LINEAR, MIRROR, NEAREST, REPEAT, SceneFile, about
-from scene_making.meshes import Mesh
 
 WHITE, GREY = (0.8, 0.8, 0.8), (0.45, 0.45, 0.45)
 BALL_LEVEL = 4
@@ -37,7 +34,7 @@ def first_light() -> bytes:
     ground(scene, scene.add_material("plane", WHITE))
     clay = scene.add_material("clay", (0.8, 0.35, 0.2), roughness=0.5)
     scene.add_node("ball", mesh=scene.add_mesh("ball", (meshes.icosphere(BALL_LEVEL), clay)), translation=[0, 1, 0])
-    scene.add_light("lamp", "point", (1, 1, 1), 60.0, at=(-2.5, 3.5, 2.5))
+    scene.add_light("lamp", "point", (1, 1, 1), 45.0, at=(-2.5, 3.5, 2.5))
     scene.add_camera("view", (0, 2.2, 6), (0, 0.8, 0), degrees=40)
     return scene.to_bytes()
 
@@ -97,6 +94,8 @@ def nested_glass() -> bytes:
     bubble.normals = [meshes.scale(normal, -1.0) for normal in bubble.normals]
     scene.add_node("shell", mesh=scene.add_mesh("shell", (outer, shell), (bubble, shell)), translation=[0, 1, 0])
     scene.add_node("core", mesh=scene.add_mesh("core", (meshes.icosphere(3, 0.42), core)), translation=[0, 1, 0])
+    wall = scene.add_material("wall", (0.48, 0.44, 0.34))
+    scene.add_node("wall", mesh=scene.add_mesh("wall", (meshes.quad((0, 2.5, -4), (14, 0, 0), (0, 5, 0)), wall)))
     scene.add_light("sun", "directional", (1, 0.96, 0.9), 2.6, towards=(0.5, -1.0, -0.4))
     scene.add_light("lamp", "point", (1, 1, 1), 14.0, at=(-2, 3, 3))
     scene.add_camera("view", (0.3, 1.9, 4.6), (0, 0.9, 0), degrees=36)
@@ -122,7 +121,7 @@ def texture_wrap() -> bytes:
                 scene.add_node(label, mesh=scene.add_mesh(label, (tile, paint)),
                                translation=[(column - 1) * 2.0 + (half - 0.5) * 0.95, (1 - row) * 1.0, 0])
     scene.add_light("lamp", "directional", (1, 1, 1), 3.0, towards=(0, 0, -1))
-    scene.add_camera("front", (0, 0, 5), (0, 0, 0), half_height=1.65)
+    scene.add_camera("front", (0, 0, 5), (0, 0, 0), half_height=1.75)
     return scene.to_bytes()
 
 
@@ -143,7 +142,7 @@ def light_types() -> bytes:
     scene.add_light("spot", "spot", (1, 1, 1), 7.0, at=(-1.0, 1.8, 0.6), towards=(-1.0, 0.2, -0.3),
                     spot={"innerConeAngle": 0.25, "outerConeAngle": 0.5})
     # From the front and below the ceilings: it reaches every bay, which is what sunlight does.
-    scene.add_light("directional", "directional", (0.7, 0.85, 1.0), 0.9, towards=(0.25, -0.35, -1.0))
+    scene.add_light("directional", "directional", (0.7, 0.85, 1.0), 0.5, towards=(0.25, -0.35, -1.0))
     scene.add_light("range", "point", (0.9, 1, 0.8), 5.0, at=(3.3, 1.3, 0.4), range=1.4)
-    scene.add_camera("view", (0, 1.2, 8.5), (0, 0.95, 0), degrees=26)
+    scene.add_camera("view", (0, 1.2, 8.5), (0, 0.95, 0), degrees=32)
     return scene.to_bytes()

@@ -47,6 +47,23 @@ TEST(ClosestHit, TiesGoToTheLowestNumber) {
   }
 }
 
+// The higher triangles' box begins nearer to the eye and is walked first; the tie still goes to the lower ones.
+TEST(ClosestHit, TiesDoNotDependOnTheWalk) {
+  Scene scene;
+  test::add_black(scene);
+  const auto add_slope = [&](float from, float to) {  // of the plane z = x
+    test::add_polygon(scene, {{from, -1, from}, {to, -1, to}, {to, 1, to}, {from, 1, from}});
+  };
+  add_slope(-0.5f, 0.5f);
+  add_slope(-1.0f, 9.0f);
+  for (int side : {-20, -20, -20, 20, 20, 20}) add_slope(side - 1.0f, side + 1.0f);
+  for (const double x : {-0.4, -0.1, 0.2, 0.3}) {
+    const auto hit = first_hit(scene, {x, 0.3, 30}, {0, 0, -1});
+    ASSERT_TRUE(hit);
+    EXPECT_LT(hit->triangle, 2u);
+  }
+}
+
 TEST(ClosestHit, TheSharedEdgeBelongsToTheLowerTriangleAndHasNoGap) {
   Scene scene;
   test::add_black(scene);

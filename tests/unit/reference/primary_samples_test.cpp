@@ -7,7 +7,8 @@
 namespace vernier {
 namespace {
 
-// One pixel, one sample: the ray through x = 0.25, y = 0.25 of a triangle whose right edge is moved.
+// One pixel, one sample: the ray along x = y = 0 at a triangle whose right edge is moved, with a larger one behind or
+// before it.
 PrimarySamples sample_of(float right, float z_of_second = -9.0f) {
   Scene scene;
   test::add_black(scene);

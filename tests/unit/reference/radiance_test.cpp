@@ -157,7 +157,8 @@ TEST(Radiance, AbsorptionInsideFollowsBeer) {
   body.absorption = {1.0f, 0.5f, 0.0f};
   scene.materials.push_back(body);
   test::add_box(scene, {-1, -1, -1}, {1, 1, 1});
-  scene.environment.sky = scene.environment.ground = glm::vec3(1.0f);
+  test::add_black(scene).emission = glm::vec3(1.0f);  // beyond the body, where nothing absorbs
+  test::add_square(scene, -5.0f);
   expect_near(seen(scene, {0.1, 0.2, 4}, {0, 0, -1}), glm::exp(glm::dvec3(-2.0, -1.0, 0.0)));
 }
 

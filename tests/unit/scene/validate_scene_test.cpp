@@ -51,10 +51,9 @@ TEST(ValidateScene, DropsTrianglesAndKeepsTheirNumbers) {
   validate_scene(scene);
   EXPECT_EQ(mesh.triangles, (std::vector<glm::uvec3>{glm::uvec3(0), glm::uvec3(0), {0, 1, 2}, glm::uvec3(0)}));
   for (const glm::vec3& p : mesh.positions) EXPECT_TRUE(std::isfinite(p.x + p.y + p.z));
-  EXPECT_EQ(scene.warnings,
-            (std::vector<std::string>{
-                "test: mesh 0, triangle 1: triangles with an index out of range are dropped",
-                "test: mesh 0, triangle 0 and 1 more: triangles with a non-finite corner are dropped"}));
+  EXPECT_EQ(scene.warnings, (std::vector<std::string>{
+                                "test: mesh 0, triangle 0 and 1 more: triangles with a non-finite corner are dropped",
+                                "test: mesh 0, triangle 1: triangles with an index out of range are dropped"}));
 }
 
 TEST(ValidateScene, NegativeZeroBecomesZero) {

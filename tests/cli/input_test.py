@@ -1,0 +1,72 @@
+"""Input that is missing or broken ends with exit code 3 and one line that names the file; nothing is left behind."""
+
+import unittest
+
+from program import FAILED, REFUSED, SCENE, SMALL, TRIANGLE_OBJ, USAGE, ProgramTest
+
+
+class InputTest(ProgramTest):
+    def check_refused(self, name):
+        before = self.files()
+        self.check_error(REFUSED, name, "render", name, "-o", "out.png", *SMALL)
+        self.check_error(REFUSED, name, "explain", name)
+        self.check_error(REFUSED, name, "reference", name, "-o", "out.exr", *SMALL)
+        self.assertEqual(self.files(), before)
+
+    def test_missing_scene(self):
+        self.check_refused("nothing.glb")
+        self.check_refused("nothing.obj")
+
+    def test_folder_as_scene(self):
+        (self.folder / "folder.glb").mkdir()
+        self.check_refused("folder.glb")
+
+    def test_broken_scenes(self):
+        self.write("syntax.gltf", '{"asset": {"version": "2.0"')
+        self.write("empty.gltf", "")
+        self.write("magic.glb", "GLTF is not the magic")
+        self.write("none.obj", "# no triangles\n")
+        for name in ["syntax.gltf", "empty.gltf", "magic.glb", "none.obj"]:
+            with self.subTest(name=name):
+                self.check_refused(name)
+
+    def test_unknown_scene_extension(self):
+        self.write("scene.fbx", "x")
+        self.check_refused("scene.fbx")
+
+    def test_background_file(self):
+        self.check_error(REFUSED, "sky.hdr", "render", SCENE, "-o", "out.png", "--background", "sky.hdr", *SMALL)
+        self.write("sky.hdr", "not an image")
+        self.check_error(REFUSED, "sky.hdr", "explain", SCENE, "--background", "sky.hdr")
+
+    def test_camera_that_is_not_there(self):
+        self.write("triangle.obj", TRIANGLE_OBJ)
+        self.check_error(USAGE, "none", "explain", "triangle.obj", "--camera", "0")
+
+    def test_eye_at_the_target(self):
+        self.write("triangle.obj", TRIANGLE_OBJ)
+        self.check_error(USAGE, "--eye", "explain", "triangle.obj", "--eye", "1,2,3", "--target", "1,2,3")
+        self.check_error(USAGE, "--up", "explain", "triangle.obj", "--eye", "0,0,3", "--target", "0,0,0", "--up", "0,0,1")
+
+    def test_output_that_cannot_be_written(self):
+        self.check_error(FAILED, "no folder", "render", SCENE, "-o", "nowhere/out.png", *SMALL)
+        self.check_error(FAILED, "no folder", "render", SCENE, "-o", "out.png", "--json", "nowhere/out.json", *SMALL)
+        (self.folder / "out.png").mkdir()
+        self.check_error(FAILED, "is a folder", "render", SCENE, "-o", "out.png", *SMALL)
+        self.assertEqual(self.files(), ["out.png"])
+
+    def test_strict_refuses_what_is_not_supported(self):
+        text = '{"asset":{"version":"2.0"},"extensionsUsed":["EXT_not_there"],"scene":0,"scenes":[{"nodes":[0]}],' \
+               '"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],' \
+               '"materials":[{"extensions":{"EXT_not_there":{}}}],' \
+               '"accessors":[{"bufferView":0,"componentType":5126,"count":3,"type":"VEC3",' \
+               '"min":[0,0,0],"max":[1,1,0]}],"bufferViews":[{"buffer":0,"byteLength":36}],' \
+               '"buffers":[{"byteLength":36,"uri":"data:application/octet-stream;base64,' \
+               'AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA"}]}'
+        self.write("odd.gltf", text)
+        self.assertIn("warning: ", self.check_done("explain", "odd.gltf").stderr)
+        self.check_error(REFUSED, "EXT_not_there", "explain", "odd.gltf", "--strict")
+
+
+if __name__ == "__main__":
+    unittest.main()

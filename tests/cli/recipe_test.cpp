@@ -1,0 +1,45 @@
+#include "cli/recipe.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "error.h"
+
+namespace vernier {
+namespace {
+
+TEST(Recipe, OptionsThatAreGivenAndThoseWithADefault) {
+  SceneArguments scene;
+  scene.lights = {"dir:0,-1,0:1,1,1"};
+  RenderArguments render;
+  render.seed = "3";
+  render.tile = "8x8";
+  const nlohmann::ordered_json options = recipe_options(scene, render);
+  EXPECT_EQ(options["size"], "1280x720");
+  EXPECT_EQ(options["seed"], "3");
+  EXPECT_EQ(options["light"][0], "dir:0,-1,0:1,1,1");
+  EXPECT_FALSE(options.contains("crop"));
+  EXPECT_FALSE(options.contains("tile")) << "changes no bit of the image";
+}
+
+TEST(Recipe, BuiltinSceneHasNoHash) {
+  const auto metadata = render_recipe(SceneArguments{}, RenderArguments{}, {"card", "driver 1", "abc"});
+  EXPECT_EQ(metadata.at("vernier:scene"), "");
+  EXPECT_FALSE(metadata.contains("vernier:scene_sha1"));
+  EXPECT_EQ(metadata.at("vernier:device"), "card");
+  EXPECT_EQ(metadata.at("vernier:driver"), "driver 1");
+  EXPECT_EQ(metadata.at("vernier:spirv_hash"), "abc");
+}
+
+TEST(Sha1OfFile, TestVectorOfFips180) {
+  const std::string path = (std::filesystem::path(testing::TempDir()) / "vernier_sha1_of_abc").string();
+  std::ofstream(path) << "abc";
+  EXPECT_EQ(sha1_of_file(path), "a9993e364706816aba3e25717850c26c9cd0d89d");
+  std::filesystem::remove(path);
+  EXPECT_THROW(sha1_of_file(path), Error);
+}
+
+}  // namespace
+}  // namespace vernier

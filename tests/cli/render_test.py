@@ -1,0 +1,92 @@
+"""vernier render: files, statistics, determinism."""
+
+import json
+import unittest
+
+from program import DONE, SCENE, SMALL, TRIANGLE_OBJ, ProgramTest
+
+FIELDS = {"schema", "scene", "device", "driver", "size", "spp", "accuracy", "triangles", "instances", "materials", "textures",
+          "bvh", "load_ms", "upload_ms", "compile_ms", "trace_device_ms", "trace_wall_ms", "rays", "rays_per_s", "effects",
+          "non_finite_pixels", "stack_overflows", "error_estimate", "peak_memory", "warnings"}
+
+
+class RenderTest(ProgramTest):
+    def bytes_of(self, name, *arguments):
+        self.check_done("render", SCENE, "-o", name, *SMALL, *arguments)
+        return (self.folder / name).read_bytes()
+
+    def test_statistics_follow_schema_1(self):
+        self.check_done("render", SCENE, "-o", "out.exr", "--json", "out.json", *SMALL)
+        report = json.loads((self.folder / "out.json").read_text())
+        self.assertEqual(FIELDS - report.keys(), set())
+        self.assertEqual(report["schema"], 1)
+        self.assertEqual(report["scene"], SCENE)
+        self.assertEqual(report["size"], [24, 16])
+        self.assertEqual(report["bvh"].keys(), {"nodes", "bytes", "sah_cost", "depth", "build_ms"})
+        self.assertEqual(report["rays"].keys(), {"primary", "shadow", "reflection", "refraction"})
+        self.assertEqual(report["rays"]["primary"], 24 * 16)
+        self.assertGreater(report["rays"]["refraction"], 0)
+        self.assertEqual(report["peak_memory"].keys(), {"host_bytes", "device_bytes"})
+        self.assertGreater(report["peak_memory"]["host_bytes"], 1 << 20)
+        self.assertIsNone(report["error_estimate"])
+        self.assertEqual(report["non_finite_pixels"], 0)
+        self.assertEqual(len(report["effects"]), 24)
+        self.assertEqual(self.files(), ["out.exr", "out.json"])
+
+    def test_two_runs_make_the_same_bytes(self):
+        self.assertEqual(self.bytes_of("a.exr"), self.bytes_of("b.exr"))
+        self.assertEqual(self.bytes_of("a.png"), self.bytes_of("b.png", "--tile", "8x8"))
+
+    def test_seed_and_effects_change_the_picture(self):
+        plain = self.bytes_of("a.hdr")  # holds no metadata
+        self.assertNotEqual(plain, self.bytes_of("b.hdr", "--effects", "auto,-refraction"))
+        self.assertNotEqual(self.bytes_of("c.hdr", "--spp", "2"), self.bytes_of("d.hdr", "--spp", "2", "--seed", "1"))
+        self.assertEqual(plain, self.bytes_of("e.hdr", "--effects", "all"))
+
+    def test_default_names(self):
+        self.write("triangle.obj", TRIANGLE_OBJ)
+        self.check_done("render", "triangle.obj", *SMALL)
+        self.assertEqual(self.files(), ["triangle.obj", "triangle.png"])
+        self.check_done("render", *SMALL)
+        self.assertIn("vernier.png", self.files())
+
+    def test_aovs_of_other_formats_are_files(self):
+        self.check_done("render", SCENE, "-o", "out.png", "--aov", "depth,normal,object_id", *SMALL)
+        self.assertEqual(self.files(), ["out.depth.png", "out.normal.png", "out.object_id.png", "out.png"])
+
+    def test_png_holds_the_recipe(self):
+        data = self.bytes_of("out.png", "--seed", "7")
+        for part in [b"vernier:options", b"vernier:scene_sha1", b"vernier:device", b"vernier:spirv_hash"]:
+            self.assertIn(part, data)
+
+    def test_summary_and_quiet(self):
+        result = self.check_done("render", SCENE, "-o", "out.png", *SMALL)
+        self.assertEqual(result.stdout, "")
+        self.assertRegex(result.stderr, r"(?m)^out\.png: 24x16, 1 samples, .* Mrays/s$")
+        quiet = self.check_done("render", SCENE, "-o", "out.png", "--quiet", *SMALL)
+        self.assertEqual(quiet.stdout + quiet.stderr, "")
+        verbose = self.check_done("render", SCENE, "-o", "out.png", "--verbose", *SMALL)
+        self.assertRegex(verbose.stderr, r"(?m)^on +refraction ")
+
+    def test_hint_for_a_picture_that_is_too_bright(self):
+        self.write("triangle.obj", TRIANGLE_OBJ)
+        bright = ["render", "triangle.obj", "-o", "out.png", "--background", "8,8,8", *SMALL]
+        self.assertIn("try --exposure -3", self.check_done(*bright).stderr)
+        self.assertNotIn("--exposure", self.check_done(*bright, "--exposure", "-3").stderr)
+
+    def test_old_file_survives_a_failure(self):
+        (self.folder / "out.png").write_bytes(b"old")
+        result = self.run_program("render", "gone.glb", "-o", "out.png", *SMALL)
+        self.assertNotEqual(result.returncode, DONE)
+        self.assertEqual((self.folder / "out.png").read_bytes(), b"old")
+        self.assertEqual(self.files(), ["out.png"])
+
+    def test_time_limit_ends_early(self):
+        self.check_done("render", SCENE, "-o", "out.png", "--json", "out.json", "--size", "32x32", "--spp", "4000000",
+                        "--time-limit", "1")
+        report = json.loads((self.folder / "out.json").read_text())
+        self.assertLess(report["samples_done"], 4000000)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,57 @@
+#include <gtest/gtest.h>
+
+#include "cli/scene_setup.h"
+#include "unit_square.h"
+
+namespace vernier {
+namespace {
+
+TEST(SetLighting, LightsOfTheFileStay) {
+  Scene scene = unit_square();
+  scene.lights.resize(2);
+  set_lighting(scene, Camera{}, SceneSettings{});
+  EXPECT_EQ(scene.lights.size(), 2u);
+  EXPECT_EQ(scene.environment.sky, glm::vec3(0.0f));
+}
+
+TEST(SetLighting, LightsOfTheOptionReplaceThem) {
+  Scene scene = unit_square();
+  scene.lights.resize(2);
+  SceneSettings settings;
+  settings.lights.resize(1);
+  settings.lights[0].name = "given";
+  set_lighting(scene, Camera{}, settings);
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_EQ(scene.lights[0].name, "given");
+}
+
+TEST(SetLighting, DefaultLightsWhereThereAreNone) {
+  Scene scene = unit_square();
+  set_lighting(scene, Camera{}, SceneSettings{});
+  EXPECT_FALSE(scene.lights.empty());
+  EXPECT_NE(scene.environment.sky, glm::vec3(0.0f));
+}
+
+TEST(SetLighting, BackgroundStaysBesideDefaultLights) {
+  Scene scene = unit_square();
+  SceneSettings settings;
+  settings.background_color = glm::vec3(0.0f);
+  set_lighting(scene, Camera{}, settings);
+  EXPECT_FALSE(scene.lights.empty());
+  EXPECT_EQ(scene.environment.sky, glm::vec3(0.0f)) << "black was asked for";
+  EXPECT_EQ(scene.environment.ground, glm::vec3(0.0f));
+}
+
+TEST(SetLighting, AmbientOverridesTheBackground) {
+  Scene scene = unit_square();
+  SceneSettings settings;
+  settings.background_color = glm::vec3(1.0f);
+  settings.ambient = glm::vec3(0.25f);
+  set_lighting(scene, Camera{}, settings);
+  EXPECT_EQ(scene.environment.sky, glm::vec3(1.0f));
+  EXPECT_TRUE(scene.environment.has_ambient_override);
+  EXPECT_EQ(scene.environment.ambient, glm::vec3(0.25f));
+}
+
+}  // namespace
+}  // namespace vernier

@@ -1,0 +1,71 @@
+"""Wrong usage ends with exit code 2 and one line that names the option, before anything is read or written."""
+
+import unittest
+
+from program import SCENE, USAGE, ProgramTest
+
+BAD_OPTIONS = {
+    "--size": ["12", "0x5", "5x0", "-1x5", "70000x1", "4x4x4", "axb", "65536x65536", "", " 4x4"],
+    "--crop": ["1,2,3", "0,0,0,1", "1270,0,20,20", "0,0,1281,1", "-1,0,2,2"],
+    "--spp": ["0", "-1", "1.5", "x", "99999999999"],
+    "--sample-range": ["4:4", "5:4", "0:17", "4", "a:b", "0:1:2"],
+    "--max-bounces": ["65", "-1", "x"],
+    "--cutoff": ["-0.1", "1.5", "nan", "1/0", "x", "1/2/3"],
+    "--accuracy": ["fast", "exact", "best"],
+    "--effects": ["shadow", "auto,", "auto,-fog", ","],
+    "--tile": ["8", "0x8"],
+    "--dispatch-ms": ["0", "-5", "inf", "x"],
+    "--time-limit": ["0", "-1", "nan"],
+    "--aov": ["depht", "depth,depth", "depth,,uv"],
+    "--seed": ["-1", "4294967296"],
+    "--exposure": ["x", "1000", "nan"],
+    "--fov": ["0", "180", "-3", "nan", "x"],
+    "--eye": ["1,2", "1,2,3,4", "a,b,c", "nan,0,0", "inf,0,0"],
+    "--target": ["0,0"],
+    "--up": ["0,0,x"],
+    "--light": ["spot:0,0,0:1,1,1", "point:0,0,0", "dir:0,0,0:1,1,1", "point:0,0,0:-1,1,1", "point:0,0:1,1,1", "x"],
+    "--background": ["1,2", "-1,0,0", "sky.bmp"],
+    "--ambient": ["1", "-1,0,0"],
+}
+
+
+class UsageTest(ProgramTest):
+    def test_bad_option_values(self):
+        for option, values in BAD_OPTIONS.items():
+            for value in values:
+                with self.subTest(option=option, value=value):
+                    line = self.check_error(USAGE, "", "render", SCENE, f"{option}={value}")
+                    if not (option == "--background" and value == "sky.bmp") and not (option, value) == ("--size", ""):
+                        self.assertIn(option, line)
+        self.assertEqual(self.files(), [])
+
+    def test_accuracy_says_what_there_is(self):
+        self.check_error(USAGE, "only robust", "render", SCENE, "--accuracy", "fast")
+
+    def test_unknown_things(self):
+        self.check_error(USAGE, "--help", "paint")
+        self.check_error(USAGE, "vernier --help")
+        self.check_error(USAGE, "vernier render --help", "render", SCENE, "--fog")
+        self.check_error(USAGE, "--help", "render", SCENE, "another.glb")
+        self.check_error(USAGE, "SCENE", "explain")
+        self.check_error(USAGE, "--output", "reference", SCENE)
+        self.check_error(USAGE, "B", "diff", "a.png")
+
+    def test_options_of_later_stages_are_unknown(self):
+        for option in ["--error-target", "--checkpoint", "--resume"]:
+            self.check_error(USAGE, option, "render", SCENE, option, "1")
+
+    def test_quiet_excludes_verbose(self):
+        self.check_error(USAGE, "--quiet", "render", SCENE, "--quiet", "--verbose")
+
+    def test_unknown_image_extension(self):
+        for name in ["picture", "picture.bmp", "picture.exr.txt"]:
+            self.check_error(USAGE, name, "render", SCENE, "-o", name)
+
+    def test_negative_numbers_are_values(self):
+        self.check_error(USAGE, "not from", "render", SCENE, "--exposure", "-101")
+        self.check_error(USAGE, "--target", "explain", SCENE, "--eye", "-1,-2,-3", "--target", "-1,-2")
+
+
+if __name__ == "__main__":
+    unittest.main()

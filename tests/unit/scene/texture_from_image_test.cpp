@@ -1,0 +1,111 @@
+#include "scene/texture_from_image.h"
+
+#include <OpenImageIO/imageio.h>
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <fstream>
+#include <iterator>
+#include <vector>
+
+#include "error.h"
+#include "temporary_folder.h"
+
+namespace vernier {
+namespace {
+
+/// Writes a 2 x 1 image of `channels` channels; the format follows from the name's extension.
+template <typename T>
+std::string write_image(const TemporaryFolder& folder, const std::string& name, int channels,
+                        const std::vector<T>& values) {
+  const std::string path = folder.write(name, "");
+  const auto type = OIIO::BaseTypeFromC<T>::value;
+  OIIO::ImageSpec spec(2, 1, channels, type);
+  if (channels == 4 || channels == 2) spec.attribute("oiio:UnassociatedAlpha", 1);
+  const auto output = OIIO::ImageOutput::create(path);
+  EXPECT_TRUE(output && output->open(path, spec) && output->write_image(type, values.data()) && output->close());
+  return path;
+}
+
+using Bytes = std::vector<std::uint8_t>;
+using Words = std::vector<std::uint32_t>;
+
+TEST(TextureFromImage, stores_eight_bits_as_they_are_with_red_in_the_low_byte) {
+  const TemporaryFolder folder;
+  const std::string path = write_image<std::uint8_t>(folder, "a.png", 4, {1, 2, 3, 4, 250, 251, 252, 0});
+  const auto colour = decode_texels_from_file(path, TexelEncoding::srgb);
+  EXPECT_EQ(colour->format, TEXTURE_FORMAT_SRGB8);
+  EXPECT_EQ(colour->width, 2u);
+  EXPECT_EQ(colour->height, 1u);
+  EXPECT_EQ(colour->words, (Words{0x04030201u, 0x00FCFBFAu})) << "also where alpha is 0";
+  EXPECT_EQ(decode_texels_from_file(path, TexelEncoding::linear)->format, TEXTURE_FORMAT_LINEAR8);
+}
+
+TEST(TextureFromImage, expands_grey_and_grey_alpha_and_missing_alpha) {
+  const TemporaryFolder folder;
+  const auto words = [&](int channels, const Bytes& values) {
+    return decode_texels_from_file(write_image(folder, "a.png", channels, values), TexelEncoding::linear)->words;
+  };
+  EXPECT_EQ(words(1, {7, 8}), (Words{0xFF070707u, 0xFF080808u}));
+  EXPECT_EQ(words(2, {7, 1, 8, 2}), (Words{0x01070707u, 0x02080808u}));
+  EXPECT_EQ(words(3, {1, 2, 3, 4, 5, 6}), (Words{0xFF030201u, 0xFF060504u}));
+}
+
+TEST(TextureFromImage, reads_many_formats_by_content_from_memory) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.png", "a.bmp", "a.tga", "a.tif", "a.jpg", "a.webp"}) {
+    const std::string path = write_image<std::uint8_t>(folder, name, 3, {128, 128, 128, 128, 128, 128});
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(file)), {});
+    const auto texels = decode_texels(std::as_bytes(std::span(bytes)), "image 3", TexelEncoding::srgb);
+    ASSERT_EQ(texels->words.size(), 2u) << name;
+    EXPECT_NEAR(int(texels->words[0] & 0xFFu), 128, 2) << name;
+    EXPECT_EQ(texels->words[0] >> 24, 255u) << name;
+  }
+}
+
+TEST(TextureFromImage, stores_deeper_images_as_linear_floats) {
+  const TemporaryFolder folder;
+  const std::string deep = write_image<std::uint16_t>(folder, "a.png", 1, {0, 32768});
+  const auto component = [](const Texels& texels, std::size_t i) { return std::bit_cast<float>(texels.words[i]); };
+  const auto linear = decode_texels_from_file(deep, TexelEncoding::linear);
+  EXPECT_EQ(linear->format, TEXTURE_FORMAT_FLOAT);
+  ASSERT_EQ(linear->words.size(), 8u);
+  EXPECT_FLOAT_EQ(component(*linear, 4), 32768.0f / 65535.0f);
+  EXPECT_EQ(component(*linear, 7), 1.0f);
+  EXPECT_NEAR(component(*decode_texels_from_file(deep, TexelEncoding::srgb), 4), 0.21404f, 1e-5f);
+  const std::string wide = write_image<float>(folder, "a.exr", 3, {4, 0.5f, 0, 1, 1, INFINITY});
+  const auto exr = decode_texels_from_file(wide, TexelEncoding::srgb);
+  EXPECT_EQ(component(*exr, 0), 4.0f);
+  EXPECT_EQ(component(*exr, 1), 0.5f) << "float images are linear already";
+  EXPECT_EQ(component(*exr, 6), 0.0f) << "infinity";
+}
+
+void expect_refused(const std::function<void()>& work, const std::string& part) {
+  try {
+    work();
+    ADD_FAILURE() << "no error; expected one with: " << part;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
+
+TEST(TextureFromImage, refuses_what_is_no_image) {
+  const TemporaryFolder folder;
+  expect_refused([&] { decode_texels_from_file(folder.write("a.png", ""), TexelEncoding::srgb); }, "a.png: ");
+  expect_refused([&] { decode_texels_from_file(folder.write("a.png", "text"), TexelEncoding::srgb); }, "a.png: ");
+  expect_refused([&] { decode_texels_from_file("/nowhere/b.png", TexelEncoding::srgb); }, "/nowhere/b.png: ");
+  expect_refused([&] { decode_texels({}, "image 3", TexelEncoding::srgb); }, "image 3: ");
+}
+
+TEST(TextureFromImage, refuses_a_huge_image_by_its_header) {
+  const TemporaryFolder folder;
+  // A BMP header that promises 40000 x 40000 texels.
+  const std::string header = std::string("BM\x3a\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0", 18) +
+                             std::string("\x40\x9c\0\0\x40\x9c\0\0\x01\0\x18\0", 12) + std::string(24, '\0');
+  expect_refused([&] { decode_texels_from_file(folder.write("a.bmp", header), TexelEncoding::srgb); }, "40000x40000");
+}
+
+}  // namespace
+}  // namespace vernier
