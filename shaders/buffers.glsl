@@ -6,7 +6,7 @@
 #include "shared/render_constants.h"
 
 layout(set = 0, binding = BINDING_RENDER, scalar) uniform RenderBlock { RenderConstants render; };
-layout(push_constant, scalar) uniform DispatchBlock { DispatchConstants dispatch; };
+layout(set = 0, binding = BINDING_DISPATCH, scalar) readonly buffer DispatchBlock { DispatchConstants dispatch; };
 
 #ifdef LOADS_TEXELS
 layout(set = 0, binding = BINDING_RECORDS) uniform usamplerBuffer record_texels;
@@ -51,7 +51,8 @@ layout(set = 0, binding = BINDING_AOVS, scalar) buffer Aovs { uint aov_words[]; 
 
 RenderConstants render_constants() { return render; }
 DispatchConstants dispatch_constants() { return dispatch; }
-bool scene_has_triangles() { return render.triangle_count > 0u; }
+SteeringConstants steering_constants() { return dispatch.steering; }
+bool scene_has_triangles() { return dispatch.steering.triangle_count > 0u; }
 
 uint load_film(uint i) { return film_words[i]; }
 void store_film(uint i, uint word) { film_words[i] = word; }

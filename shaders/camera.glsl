@@ -10,7 +10,7 @@ Ray camera_ray(IN(vec2) pixel) {
   float nx = 2.0f * pixel.x / float(constants.image_width) - 1.0f;
   float ny = 1.0f - 2.0f * pixel.y / float(constants.image_height);
   vec3 offset = constants.camera_right * nx + constants.camera_up * ny;
-  if (effect_on(EFFECT_ORTHOGRAPHIC) && constants.orthographic != 0u) {
+  if (effect_on(EFFECT_ORTHOGRAPHIC) && steering_constants().orthographic != 0u) {
     return Ray(constants.camera_origin + offset, constants.camera_forward);
   }
   return Ray(constants.camera_origin, unit_vector(offset + constants.camera_forward));

@@ -21,7 +21,7 @@ vec3 reflected_light(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) 
 Transmittance direct_light(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_viewer, IN(bool) wanted,
                            INOUT(RayCounts) counts) {
   Transmittance sum = Transmittance(vec3(0.0f), true);
-  uint light_count = render_constants().light_count;
+  uint light_count = steering_constants().light_count;
   uint index = 0u;
   for (; index < light_count; index++) {
     LightSample light = sample_light(fetch_light(index), surface.position);

@@ -32,11 +32,12 @@ float angle_of(IN(float) y, IN(float) x) {
 // Radiance that arrives along unit `direction` (the way the ray goes) from beyond the scene.
 vec3 environment_radiance(IN(vec3) direction) {
   RenderConstants constants = render_constants();
-  if (effect_on(EFFECT_ENVIRONMENT_MAP) && constants.environment_texture != NONE) {
+  uint image = steering_constants().environment_texture;
+  if (effect_on(EFFECT_ENVIRONMENT_MAP) && image != NONE) {
     float around = angle_of(direction.x, -direction.z) * (0.5f * INVERSE_PI) + 0.5f;
     float horizontal = sqrt(direction.x * direction.x + direction.z * direction.z);
     float down = angle_of(horizontal, direction.y) * INVERSE_PI;
-    return first_three(sample_texture(constants.environment_texture, vec2(around, down))) * constants.environment_scale;
+    return first_three(sample_texture(image, vec2(around, down))) * constants.environment_scale;
   }
   return mix(constants.ground, constants.sky, 0.5f + 0.5f * direction.y);
 }

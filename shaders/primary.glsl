@@ -54,7 +54,8 @@ void trace_primary(IN(vec2) position, IN(uint) pixel) {
   TrianglePoint point = triangle_point(hit);
   DeviceMaterial material = fetch_material(point.vertices.w);
   SurfacePoint surface = surface_point(point, material, ray.direction);
-  vec2 uv = constants.uv01_texel == NONE ? vec2(0.0f) : uv_of_set(interpolated(point, constants.uv01_texel), 0u);
+  uint uv_at = steering_constants().uv01_texel;
+  vec2 uv = uv_at == NONE ? vec2(0.0f) : uv_of_set(interpolated(point, uv_at), 0u);
   store_aov(first + AOV_DEPTH, floatBitsToUint(hit.t * constants.metres_per_unit));
   store_aov_vector(first + AOV_POSITION, surface.position * constants.metres_per_unit + constants.world_center);
   store_aov_vector(first + AOV_NORMAL, surface.geometric_normal);

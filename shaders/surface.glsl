@@ -35,7 +35,7 @@ TrianglePoint triangle_point(IN(Hit) hit) {
 
 // Attribute number `texel` of the three vertices, weighed.
 vec4 interpolated(IN(TrianglePoint) point, IN(uint) texel) {
-  uint stride = render_constants().vertex_texels;
+  uint stride = steering_constants().vertex_texels;
   vec4 a0 = float_texel(load_vertex(point.vertices.x * stride + texel));
   vec4 a1 = float_texel(load_vertex(point.vertices.y * stride + texel));
   vec4 a2 = float_texel(load_vertex(point.vertices.z * stride + texel));
@@ -43,13 +43,13 @@ vec4 interpolated(IN(TrianglePoint) point, IN(uint) texel) {
 }
 
 vec4 vertex_attribute(IN(uint) vertex, IN(uint) texel) {
-  return float_texel(load_vertex(vertex * render_constants().vertex_texels + texel));
+  return float_texel(load_vertex(vertex * steering_constants().vertex_texels + texel));
 }
 
 vec2 uv_of_set(IN(vec4) pair, IN(uint) set) { return (set & 1u) == 0u ? vec2(pair.x, pair.y) : vec2(pair.z, pair.w); }
 
 uint uv_texel(IN(uint) set) {
-  RenderConstants constants = render_constants();
+  SteeringConstants constants = steering_constants();
   return set < 2u ? constants.uv01_texel : constants.uv23_texel;
 }
 
@@ -63,14 +63,14 @@ vec4 slot_texture(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(uint)
 }
 
 vec4 vertex_color(IN(TrianglePoint) point) {
-  uint texel = render_constants().color_texel;
+  uint texel = steering_constants().color_texel;
   if (!effect_on(EFFECT_VERTEX_COLORS) || texel == NONE) return vec4(1.0f);
   return interpolated(point, texel);
 }
 
 // Interpolated vertex normal on the side of `geometric`, or `geometric` itself where a corner has none.
 vec3 interpolated_normal(IN(TrianglePoint) point, IN(vec3) geometric) {
-  uint texel = render_constants().normal_texel;
+  uint texel = steering_constants().normal_texel;
   if (!effect_on(EFFECT_SMOOTH_NORMALS) || texel == NONE) return geometric;
   vec3 n0 = first_three(vertex_attribute(point.vertices.x, texel));
   vec3 n1 = first_three(vertex_attribute(point.vertices.y, texel));
@@ -83,7 +83,7 @@ vec3 interpolated_normal(IN(TrianglePoint) point, IN(vec3) geometric) {
 
 // Tangent (xyz) around `normal` and handedness (w), from the mesh or from the gradient of UV set `uv_set`; zero for none.
 vec4 tangent_frame(IN(TrianglePoint) point, IN(vec3) normal, IN(uint) uv_set) {
-  RenderConstants constants = render_constants();
+  SteeringConstants constants = steering_constants();
   if (constants.tangent_texel != NONE) {
     vec4 t0 = vertex_attribute(point.vertices.x, constants.tangent_texel);
     vec4 t1 = vertex_attribute(point.vertices.y, constants.tangent_texel);

@@ -9,7 +9,7 @@
 
 Path begun_sample(IN(PathPlace) place, IN(uint) x, IN(uint) y, IN(uint) sample_index) {
   RenderConstants constants = render_constants();
-  vec2 offset = sample_offset(x, y, sample_index, constants.seed, constants.spp);
+  vec2 offset = sample_offset(x, y, sample_index, constants.seed, steering_constants().spp);
   Ray ray = camera_ray(vec2(float(x), float(y)) + offset);
   return Path(place, sample_index, false, vec3(0.0f), 0u, PathRay(ray.origin, ray.direction, vec3(1.0f), 0.0f, NONE, 0u, NONE));
 }

@@ -14,6 +14,7 @@
 #define BINDING_COUNTERS 9     // uint, COUNTER_COUNT
 #define BINDING_PATHS 10       // uint, saved paths of a dispatch, PATH_WORDS(stack) per invocation, word by word
 #define BINDING_TRIANGLE_IDS 11  // uint, 2 per triangle: object, triangle within the object
+#define BINDING_DISPATCH 13    // DispatchConstants
 #define BINDING_AOVS 12        // uint, AOV_WORDS per pixel of a band
 
 #endif

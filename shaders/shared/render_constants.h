@@ -22,44 +22,51 @@ struct RenderConstants {
   vec3 camera_up;      // perspective: t Y; orthographic: h Y in units
   uint seed;
   vec3 camera_forward;  // -Z
-  uint spp;             // of the whole image; 1: pixel centres
-  vec3 sky;
-  uint max_bounces;
-  vec3 ground;
   float cutoff;
-  vec3 environment_scale;
-  uint environment_texture;  // NONE: the gradient
-  vec3 world_center;         // metres: world = unit x metres_per_unit + world_center
+  vec3 sky;
   float metres_per_unit;
-  uint light_count;
-  uint triangle_count;
-  uint vertex_texels;     // uvec4 per vertex
-  uint normal_texel;      // offset of (normal, 0) within a vertex, or NONE; the next four likewise
-  uint uv01_texel;        // (uv set 0, uv set 1)
-  uint uv23_texel;        // (uv set 2, uv set 3)
-  uint color_texel;
-  uint tangent_texel;
-  uint orthographic;          // 1: parallel rays
+  vec3 ground;
+  uint max_bounces;
+  vec3 environment_scale;
+  vec3 world_center;  // metres: world = unit x metres_per_unit + world_center
   vec3 ambient_harmonics[9];  // environment_harmonics.h
 };
 
+// Values that a branch may depend on alone. They lie in a storage buffer: llvmpipe compiles a kernel anew for every value
+// of a uniform or push constant that decides a branch, 10 ms for each submission.
+struct SteeringConstants {
+  uint spp;  // of the whole image; 1: pixel centres
+  uint orthographic;          // 1: parallel rays
+  uint environment_texture;   // NONE: the gradient
+  uint light_count;
+  uint triangle_count;
+  uint vertex_texels;  // uvec4 per vertex
+  uint normal_texel;   // offset of (normal, 0) within a vertex, or NONE; the next four likewise
+  uint uv01_texel;     // (uv set 0, uv set 1)
+  uint uv23_texel;     // (uv set 2, uv set 3)
+  uint color_texel;
+  uint tangent_texel;
+};
+
+// One dispatch; steering constants go with it.
 struct DispatchConstants {
-  uint tile_x;        // pixels of the full image
+  uint tile_x;  // pixels of the full image
   uint tile_y;
   uint tile_width;
   uint tile_height;
-  uint band_x;        // first pixel of the film band that is bound
+  uint band_x;  // first pixel of the film band that is bound
   uint band_y;
   uint band_width;
   uint sample_begin;  // samples of this pass
   uint sample_end;
-  uint ray_budget;    // rays that one invocation may follow before it saves its path
-  uint resume;        // 1: go on with the saved paths
+  uint ray_budget;  // rays that one invocation may follow before it saves its path
+  uint resume;      // 1: go on with the saved paths
+  SteeringConstants steering;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(RenderConstants) == 4 * (8 * 4 + 9 + 27));
-static_assert(sizeof(DispatchConstants) == 44);
+static_assert(sizeof(RenderConstants) == 4 * (6 * 4 + 6 + 27));
+static_assert(sizeof(DispatchConstants) == 4 * (11 + 11));
 }  // namespace vernier
 #endif
 

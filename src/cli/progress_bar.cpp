@@ -45,6 +45,17 @@ std::string clock_text(double seconds) {
   return text;
 }
 
+std::string rate_text(double rays_per_s) {
+  constexpr double kFirstMrays = 1e5;
+  char text[64];
+  if (rays_per_s < kFirstMrays) {
+    std::snprintf(text, sizeof text, "%.2f krays/s", rays_per_s * 1e-3);
+  } else {
+    std::snprintf(text, sizeof text, "%.2f Mrays/s", rays_per_s * 1e-6);
+  }
+  return text;
+}
+
 std::string progress_line(const ProgressState& state, int bar_width) {
   const double share = std::isfinite(state.share) ? std::clamp(state.share, 0.0, 1.0) : 0.0;
   std::string line = bar_width > 0 ? bar(share, bar_width) : "";
@@ -52,8 +63,7 @@ std::string progress_line(const ProgressState& state, int bar_width) {
   std::snprintf(text, sizeof text, "%3d %%", static_cast<int>(share * 100.0));
   line += text;
   if (known(state.rays_per_s)) {
-    std::snprintf(text, sizeof text, "  %.2f Mrays/s", state.rays_per_s * 1e-6);
-    line += text;
+    line += "  " + rate_text(state.rays_per_s);
   }
   constexpr double kLongest_s = 1e9;  // beyond 30 years an estimate says nothing
   if (known(state.eta_s) && state.eta_s < kLongest_s) {

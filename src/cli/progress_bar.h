@@ -25,6 +25,9 @@ class WorkClock {
 /// One line without a line break: `[#####-----]  50 %  12.3 Mrays/s  ETA 1:05`; `bar_width` 0 leaves the bar out.
 std::string progress_line(const ProgressState& state, int bar_width);
 
+/// `12.34 Mrays/s`; `2.76 krays/s` below 100 000.
+std::string rate_text(double rays_per_s);
+
 /// `1:05`, `1:01:05`; whole seconds, rounded up.
 std::string clock_text(double seconds);
 

@@ -49,8 +49,10 @@ void print_summary(const RenderPlan& plan, const RenderReport& report, const Ima
 void check_outcome(const RenderReport& report, const std::string& file) {
   const RenderStatistics& statistics = report.statistics;
   if (statistics.non_finite_pixels > 0) {
+    const bool one = statistics.non_finite_pixels == 1;
     throw Error(ErrorKind::failed, file + ": " + std::to_string(statistics.non_finite_pixels) +
-                                       " pixels are not finite, the first " + statistics.first_non_finite);
+                                       (one ? " pixel is" : " pixels are") +
+                                       " not finite, the first: " + statistics.first_non_finite);
   }
   if (interrupted()) {
     throw Error(ErrorKind::failed, file + ": interrupted; it holds what was done by then");

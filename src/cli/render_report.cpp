@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include "cli/effect_table.h"
+#include "cli/progress_bar.h"
 
 namespace vernier {
 namespace {
@@ -100,10 +101,10 @@ std::string summary_line(const RenderReport& report, const std::string& file) {
   const RenderStatistics& statistics = report.statistics;
   const PixelRect rect = report.settings.crop.value_or(PixelRect{0, 0, report.settings.width, report.settings.height});
   char text[160];
-  std::snprintf(text, sizeof text, ": %dx%d, %u samples, %.3f Mrays in %.2f s, %.2f Mrays/s", rect.width, rect.height,
+  std::snprintf(text, sizeof text, ": %dx%d, %u samples, %.3f Mrays in %.2f s, ", rect.width, rect.height,
                 statistics.samples_done, static_cast<double>(ray_count(statistics.rays)) * 1e-6,
-                statistics.trace_wall_ms * 1e-3, rays_per_s(statistics) * 1e-6);
-  return file + text;
+                statistics.trace_wall_ms * 1e-3);
+  return file + text + rate_text(rays_per_s(statistics));
 }
 
 std::string verbose_text(const RenderReport& report) {

@@ -47,7 +47,8 @@ std::uint64_t GpuScene::size_bytes() const {
   return sum;
 }
 
-void GpuScene::set_constants(const Device& device, const RenderConstants& constants) {
+void GpuScene::set_constants(const Device& device, const RenderConstants& constants, const SteeringConstants& steering) {
+  steering_ = steering;
   constants_.upload(device, std::as_bytes(std::span(&constants, 1)));
 }
 

@@ -28,10 +28,13 @@ class GpuScene {
   std::vector<Binding> bindings() const;
   /// Memory in all.
   std::uint64_t size_bytes() const;
-  /// Replaces the render constants (camera, size, samples).
-  void set_constants(const Device& device, const RenderConstants& constants);
+  /// Replaces the constants (camera, size, samples).
+  void set_constants(const Device& device, const RenderConstants& constants, const SteeringConstants& steering);
+  /// What every dispatch carries.
+  const SteeringConstants& steering() const { return steering_; }
 
  private:
+  SteeringConstants steering_{};
   Buffer constants_, records_, triangles_, vertices_, materials_, lights_, textures_, texels_, triangle_ids_;
 };
 

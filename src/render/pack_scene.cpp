@@ -32,11 +32,12 @@ std::vector<std::uint32_t> pack_lights(const Scene& scene, const TracedSpace& sp
   return words;
 }
 
-void set_environment(RenderConstants& constants, const Scene& scene) {
+void set_environment(PackedScene& packed, const Scene& scene) {
+  RenderConstants& constants = packed.constants;
   const Environment& environment = scene.environment;
   constants.sky = environment.sky;
   constants.ground = environment.ground;
-  constants.environment_texture = environment.texture < 0 ? NONE : static_cast<std::uint32_t>(environment.texture);
+  packed.steering.environment_texture = environment.texture < 0 ? NONE : static_cast<std::uint32_t>(environment.texture);
   constants.environment_scale = environment.texture_scale;
   const std::array<glm::vec3, 9> harmonics = ambient_harmonics(scene);
   for (std::size_t i = 0; i < harmonics.size(); ++i) constants.ambient_harmonics[i] = harmonics[i];
@@ -81,20 +82,21 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count) {
   RenderConstants& constants = packed.constants;
   constants.world_center = glm::vec3(packed.space.center);
   constants.metres_per_unit = static_cast<float>(packed.space.metres_per_unit);
-  constants.light_count = static_cast<std::uint32_t>(scene.lights.size());
-  constants.triangle_count = packed.bvh.triangle_count;
-  constants.vertex_texels = baked.layout.texels;
-  constants.normal_texel = baked.layout.normal;
-  constants.uv01_texel = baked.layout.uv01;
-  constants.uv23_texel = baked.layout.uv23;
-  constants.color_texel = baked.layout.color;
-  constants.tangent_texel = baked.layout.tangent;
-  set_environment(constants, scene);
+  packed.steering.light_count = static_cast<std::uint32_t>(scene.lights.size());
+  packed.steering.triangle_count = packed.bvh.triangle_count;
+  packed.steering.vertex_texels = baked.layout.texels;
+  packed.steering.normal_texel = baked.layout.normal;
+  packed.steering.uv01_texel = baked.layout.uv01;
+  packed.steering.uv23_texel = baked.layout.uv23;
+  packed.steering.color_texel = baked.layout.color;
+  packed.steering.tangent_texel = baked.layout.tangent;
+  set_environment(packed, scene);
   return packed;
 }
 
-void set_camera(RenderConstants& constants, const Camera& camera, const TracedSpace& space,
-                const RenderSettings& settings) {
+void set_camera(PackedScene& packed, const Camera& camera, const RenderSettings& settings) {
+  RenderConstants& constants = packed.constants;
+  const TracedSpace& space = packed.space;
   const glm::dmat4& frame = camera.world_from_camera;
   const glm::dvec3 origin = traced_from_world(space, glm::dvec3(frame[3]));
   const double farthest = std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z)});
@@ -108,14 +110,15 @@ void set_camera(RenderConstants& constants, const Camera& camera, const TracedSp
   constants.camera_right = glm::vec3(glm::dvec3(frame[0]) * (half_height * aspect));
   constants.camera_up = glm::vec3(glm::dvec3(frame[1]) * half_height);
   constants.camera_forward = glm::vec3(-glm::dvec3(frame[2]));
-  constants.orthographic = camera.orthographic ? 1 : 0;
+  packed.steering.orthographic = camera.orthographic ? 1 : 0;
 }
 
-void set_settings(RenderConstants& constants, const RenderSettings& settings) {
+void set_settings(PackedScene& packed, const RenderSettings& settings) {
+  RenderConstants& constants = packed.constants;
   constants.image_width = static_cast<std::uint32_t>(settings.width);
   constants.image_height = static_cast<std::uint32_t>(settings.height);
   constants.seed = settings.seed;
-  constants.spp = settings.spp;
+  packed.steering.spp = settings.spp;
   constants.max_bounces = settings.max_bounces;
   constants.cutoff = settings.cutoff;
 }

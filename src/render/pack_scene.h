@@ -23,7 +23,8 @@ struct PackedScene {
   std::vector<std::uint32_t> lights;
   std::vector<std::uint32_t> textures;
   std::vector<std::uint32_t> texels;
-  RenderConstants constants{};  ///< all that the scene decides; set_camera and set_settings add the rest
+  RenderConstants constants{};   ///< all that the scene decides; set_camera and set_settings add the rest
+  SteeringConstants steering{};  ///< likewise
   double bake_ms = 0.0;
   double bvh_build_ms = 0.0;
 };
@@ -34,12 +35,11 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count);
 /// `light` in device layout.
 DeviceLight device_light(const Light& light, const TracedSpace& space);
 
-/// Sets the camera of `constants` for an image of settings.width x settings.height.
+/// Sets the camera of `packed` for an image of settings.width x settings.height.
 /// Throws Error(usage) when the camera stands more than 2^40 scene extents away: there a pixel is wider than the scene.
-void set_camera(RenderConstants& constants, const Camera& camera, const TracedSpace& space,
-                const RenderSettings& settings);
+void set_camera(PackedScene& packed, const Camera& camera, const RenderSettings& settings);
 
 /// Sets what the settings decide: size, seed, samples, bounces, cutoff.
-void set_settings(RenderConstants& constants, const RenderSettings& settings);
+void set_settings(PackedScene& packed, const RenderSettings& settings);
 
 }  // namespace vernier

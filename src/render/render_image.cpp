@@ -108,12 +108,12 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
 
   PackedScene packed = pack_scene(scene, 0);
   describe_scene(scene, packed, statistics);
-  set_camera(packed.constants, camera, packed.space, settings);
-  set_settings(packed.constants, settings);
+  set_camera(packed, camera, settings);
+  set_settings(packed, settings);
 
   const SceneLoads loads = choose_scene_loads(device.description());
   GpuScene gpu_scene = upload_scene(device, packed, loads, statistics);
-  gpu_scene.set_constants(device, packed.constants);
+  gpu_scene.set_constants(device, packed.constants, packed.steering);
   const TraceSpecialization specialization = specialize(statistics.effects.bits, packed.bvh.depth, settings.max_bounces,
                                                         wants(settings, "cost"), device.description());
   statistics.spirv_hash = trace_spirv_hash(loads);

@@ -27,7 +27,8 @@ glm::ivec2 chosen_tile(const DeviceDescription& device, const RenderSettings& se
 
 std::uint32_t group_count(int pixels) { return static_cast<std::uint32_t>((pixels + kWorkgroup - 1) / kWorkgroup); }
 
-DispatchConstants tile_constants(const PixelRect& tile, const PixelRect& area, const Film::Band& band) {
+DispatchConstants tile_constants(const GpuScene& scene, const PixelRect& tile, const PixelRect& area,
+                                 const Film::Band& band) {
   DispatchConstants constants{};
   constants.tile_x = static_cast<std::uint32_t>(tile.x);
   constants.tile_y = static_cast<std::uint32_t>(tile.y);
@@ -36,19 +37,26 @@ DispatchConstants tile_constants(const PixelRect& tile, const PixelRect& area, c
   constants.band_x = static_cast<std::uint32_t>(area.x);
   constants.band_y = static_cast<std::uint32_t>(area.y + band.first_row);
   constants.band_width = static_cast<std::uint32_t>(area.width);
+  constants.steering = scene.steering();
   return constants;
 }
 
-Dispatch tile_dispatch(const ComputePipeline& pipeline, const BindingSet& bindings, const PixelRect& tile,
-                       const DispatchConstants& constants) {
-  Dispatch dispatch{.pipeline = &pipeline,
-                    .bindings = &bindings,
-                    .push_constants = std::vector<std::byte>(sizeof(constants)),
-                    .group_count_x = group_count(tile.width),
-                    .group_count_y = group_count(tile.height),
-                    .group_count_z = 1};
-  std::memcpy(dispatch.push_constants.data(), &constants, sizeof(constants));
-  return dispatch;
+Dispatch tile_dispatch(const ComputePipeline& pipeline, const BindingSet& bindings, const PixelRect& tile) {
+  return {.pipeline = &pipeline,
+          .bindings = &bindings,
+          .push_constants = {},
+          .group_count_x = group_count(tile.width),
+          .group_count_y = group_count(tile.height),
+          .group_count_z = 1};
+}
+
+/// A buffer for what changes from dispatch to dispatch (render_constants.h says why not push constants).
+Buffer dispatch_buffer(const Device& device) {
+  return Buffer(device, sizeof(DispatchConstants), BufferUse::storage_host_visible);
+}
+
+void set_dispatch(Buffer& buffer, const DispatchConstants& constants) {
+  std::memcpy(buffer.mapped().data(), &constants, sizeof(constants));
 }
 
 /// Buffers and pipeline of the trace kernel, and what it has counted so far.
@@ -56,20 +64,23 @@ class Tracer {
  public:
   Tracer(const Device& device, const GpuScene& scene, SceneLoads loads, const TraceSpecialization& specialization,
          const RenderSettings& settings, Film& film)
-      : submitter_(device),
+      : scene_(scene),
+        submitter_(device),
         tile_(chosen_tile(device.description(), settings)),
         wanted_ms_(settings.dispatch_ms),
         film_(film),
         counters_(device, COUNTER_COUNT * 4, BufferUse::storage_host_visible),
         paths_(device, std::uint64_t(tile_.x) * std::uint64_t(tile_.y) * PATH_WORDS(specialization.path_stack) * 4,
                BufferUse::storage),
-        no_aovs_(device, 0, BufferUse::storage) {
+        no_aovs_(device, 0, BufferUse::storage),
+        dispatch_(dispatch_buffer(device)) {
     for (Film::Band& band : film.bands()) {
       std::vector<Binding> bindings = scene.bindings();
       bindings.insert(bindings.end(), {{BINDING_FILM, &band.sums},
                                        {BINDING_COUNTERS, &counters_},
                                        {BINDING_PATHS, &paths_},
-                                       {BINDING_AOVS, &no_aovs_}});
+                                       {BINDING_AOVS, &no_aovs_},
+                                       {BINDING_DISPATCH, &dispatch_}});
       if (bindings_.empty()) pipeline_ = make_trace_pipeline(device, Kernel::trace, loads, specialization, bindings);
       bindings_.emplace_back(device, pipeline_, bindings);
     }
@@ -83,13 +94,14 @@ class Tracer {
   template <typename Stop>
   bool run_tile(const PixelRect& tile, const SamplePass& pass, const Stop& stop) {
     const auto band_index = static_cast<std::size_t>((tile.y - film_.area().y) / film_.band_height());
-    DispatchConstants constants = tile_constants(tile, film_.area(), film_.bands()[band_index]);
+    DispatchConstants constants = tile_constants(scene_, tile, film_.area(), film_.bands()[band_index]);
     constants.sample_begin = pass.begin;
     constants.sample_end = pass.end;
     while (true) {
       if (stop()) return false;
       constants.ray_budget = ray_budget_;
-      const std::uint32_t unfinished = run(tile_dispatch(pipeline_, bindings_[band_index], tile, constants), tile);
+      set_dispatch(dispatch_, constants);
+      const std::uint32_t unfinished = run(tile_dispatch(pipeline_, bindings_[band_index], tile), tile);
       if (unfinished == 0) return true;
       constants.resume = 1;
     }
@@ -118,11 +130,12 @@ class Tracer {
     return counts[COUNTER_UNFINISHED];
   }
 
+  const GpuScene& scene_;
   Submitter submitter_;
   glm::ivec2 tile_;
   double wanted_ms_;
   Film& film_;
-  Buffer counters_, paths_, no_aovs_;
+  Buffer counters_, paths_, no_aovs_, dispatch_;
   ComputePipeline pipeline_;
   std::vector<BindingSet> bindings_;
   std::uint32_t ray_budget_ = kFirstRayBudget;
@@ -171,6 +184,7 @@ double trace_aovs(const Device& device, const GpuScene& scene, SceneLoads loads,
                   const TraceSpecialization& specialization, Film& film) {
   Submitter submitter(device);
   const Buffer unused(device, 0, BufferUse::storage);
+  Buffer dispatch_values = dispatch_buffer(device);
   ComputePipeline pipeline;
   double compile_ms = 0.0;
   for (Film::Band& band : film.bands()) {
@@ -178,7 +192,8 @@ double trace_aovs(const Device& device, const GpuScene& scene, SceneLoads loads,
     bindings.insert(bindings.end(), {{BINDING_FILM, &unused},
                                      {BINDING_COUNTERS, &unused},
                                      {BINDING_PATHS, &unused},
-                                     {BINDING_AOVS, &band.aovs}});
+                                     {BINDING_AOVS, &band.aovs},
+                                     {BINDING_DISPATCH, &dispatch_values}});
     if (compile_ms == 0.0) {
       pipeline = make_trace_pipeline(device, Kernel::primary, loads, specialization, bindings);
       compile_ms = pipeline.compile_ms();
@@ -186,7 +201,8 @@ double trace_aovs(const Device& device, const GpuScene& scene, SceneLoads loads,
     const BindingSet set(device, pipeline, bindings);
     const PixelRect rows{film.area().x, film.area().y + band.first_row, film.area().width, band.row_count};
     for (const PixelRect& tile : schedule_tiles(rows, glm::ivec2(kGpuTile), rows.height)) {
-      const Dispatch dispatch = tile_dispatch(pipeline, set, tile, tile_constants(tile, film.area(), band));
+      set_dispatch(dispatch_values, tile_constants(scene, tile, film.area(), band));
+      const Dispatch dispatch = tile_dispatch(pipeline, set, tile);
       submitter.run(std::span(&dispatch, 1));
     }
   }

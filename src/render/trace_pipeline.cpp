@@ -47,7 +47,7 @@ ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLo
       SpecializationValue{SPECIALIZATION_SHIFT_STACK, specialization.shift_stack ? 1u : 0u},
       SpecializationValue{SPECIALIZATION_PATH_STACK, specialization.path_stack},
       SpecializationValue{SPECIALIZATION_COUNT_COST, specialization.count_cost ? 1u : 0u}};
-  return ComputePipeline(device, spirv, bindings, sizeof(DispatchConstants), values);
+  return ComputePipeline(device, spirv, bindings, 0, values);
 }
 
 std::string trace_spirv_hash(SceneLoads loads) {

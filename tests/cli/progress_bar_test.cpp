@@ -20,6 +20,12 @@ TEST(ProgressLine, UnknownFiguresAreLeftOut) {
   EXPECT_EQ(progress_line({7.0, -1.0, -1.0}, 2), "[##] 100 %");
 }
 
+TEST(RateText, ThousandsAndMillions) {
+  EXPECT_EQ(rate_text(99999.0), "100.00 krays/s");
+  EXPECT_EQ(rate_text(100000.0), "0.10 Mrays/s");
+  EXPECT_EQ(rate_text(0.0), "0.00 krays/s");
+}
+
 TEST(ClockText, MinutesAndHours) {
   EXPECT_EQ(clock_text(0.2), "0:01");
   EXPECT_EQ(clock_text(3599.0), "59:59");

@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from program import DONE, SCENE, SMALL, TRIANGLE_OBJ, ProgramTest
+from program import DONE, FAILED, SCENE, SMALL, TRIANGLE_OBJ, ProgramTest
 
 FIELDS = {"schema", "scene", "device", "driver", "size", "spp", "accuracy", "triangles", "instances", "materials", "textures",
           "bvh", "load_ms", "upload_ms", "compile_ms", "trace_device_ms", "trace_wall_ms", "rays", "rays_per_s", "effects",
@@ -40,7 +40,9 @@ class RenderTest(ProgramTest):
     def test_seed_and_effects_change_the_picture(self):
         plain = self.bytes_of("a.hdr")  # holds no metadata
         self.assertNotEqual(plain, self.bytes_of("b.hdr", "--effects", "auto,-refraction"))
-        self.assertNotEqual(self.bytes_of("c.hdr", "--spp", "2"), self.bytes_of("d.hdr", "--spp", "2", "--seed", "1"))
+        for name, seed in [("c.hdr", "0"), ("d.hdr", "1")]:
+            self.check_done("render", SCENE, "-o", name, "--size", "24x16", "--spp", "2", "--seed", seed)
+        self.assertNotEqual((self.folder / "c.hdr").read_bytes(), (self.folder / "d.hdr").read_bytes())
         self.assertEqual(plain, self.bytes_of("e.hdr", "--effects", "all"))
 
     def test_default_names(self):
@@ -62,7 +64,7 @@ class RenderTest(ProgramTest):
     def test_summary_and_quiet(self):
         result = self.check_done("render", SCENE, "-o", "out.png", *SMALL)
         self.assertEqual(result.stdout, "")
-        self.assertRegex(result.stderr, r"(?m)^out\.png: 24x16, 1 samples, .* Mrays/s$")
+        self.assertRegex(result.stderr, r"(?m)^out\.png: 24x16, 1 samples, .* [kM]rays/s$")
         quiet = self.check_done("render", SCENE, "-o", "out.png", "--quiet", *SMALL)
         self.assertEqual(quiet.stdout + quiet.stderr, "")
         verbose = self.check_done("render", SCENE, "-o", "out.png", "--verbose", *SMALL)
@@ -73,6 +75,15 @@ class RenderTest(ProgramTest):
         bright = ["render", "triangle.obj", "-o", "out.png", "--background", "8,8,8", *SMALL]
         self.assertIn("try --exposure -3", self.check_done(*bright).stderr)
         self.assertNotIn("--exposure", self.check_done(*bright, "--exposure", "-3").stderr)
+
+    def test_pixels_that_are_not_finite_fail_but_are_written(self):
+        self.write("triangle.obj", TRIANGLE_OBJ)
+        result = self.run_program("render", "triangle.obj", "-o", "out.exr", "--json", "out.json", "--light",
+                                  "point:0.3,0.3,0.001:3e38,3e38,3e38", "--eye", "0.3,0.3,2", *SMALL)
+        self.assertEqual(result.returncode, FAILED, result.stderr)
+        self.assertRegex(result.stderr, r"(?m)^error: out\.exr: \d+ pixels? (is|are) not finite, the first: .*pixel.*sample")
+        self.assertGreater(json.loads((self.folder / "out.json").read_text())["non_finite_pixels"], 0)
+        self.assertEqual(self.files(), ["out.exr", "out.json", "triangle.obj"])
 
     def test_old_file_survives_a_failure(self):
         (self.folder / "out.png").write_bytes(b"old")

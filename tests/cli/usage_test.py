@@ -55,6 +55,9 @@ class UsageTest(ProgramTest):
         for option in ["--error-target", "--checkpoint", "--resume"]:
             self.check_error(USAGE, option, "render", SCENE, option, "1")
 
+    def test_option_given_twice(self):
+        self.check_error(USAGE, "--spp", "render", SCENE, "--spp", "1", "--spp", "2")
+
     def test_quiet_excludes_verbose(self):
         self.check_error(USAGE, "--quiet", "render", SCENE, "--quiet", "--verbose")
 
