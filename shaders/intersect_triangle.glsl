@@ -11,7 +11,12 @@ struct ShearedRay {
   int largest;    // axis of the largest component
   bool flipped;   // its direction is negative: x and y change places to keep the winding
   vec3 shear;     // (dx / dz, dy / dz, 1 / dz)
+  float depth_per_t;  // |dz|: from z in units of t to units of space
+  float near_depth;   // corners nearer than that may lie behind by the rounding of the origin
 };
+
+// Roundings between a corner's exact place in the ray's frame and the computed one, and those of the origin.
+const float CORNER_ROUNDINGS = 8.0f;
 
 // v with `axis` last, in cyclic order.
 vec3 axis_last(IN(vec3) v, IN(int) axis) {
@@ -31,6 +36,8 @@ ShearedRay sheared_ray(IN(Ray) ray) {
   frame.flipped = axis_last(ray.direction, frame.largest).z < 0.0f;
   vec3 d = permuted(frame, ray.direction);
   frame.shear = vec3(d.x / d.z, d.y / d.z, 1.0f / d.z);
+  frame.depth_per_t = abs(d.z);
+  frame.near_depth = gamma_bound(CORNER_ROUNDINGS) * max3(abs(ray.origin));
   return frame;
 }
 
@@ -41,20 +48,28 @@ vec3 sheared_corner(IN(ShearedRay) ray, IN(vec3) corner) {
   return q;
 }
 
-// Bound of the error of t (pbrt-v4's derivation in "Robust Triangle Intersections", Physically Based Rendering 4th ed.,
-// section 6.8.7): hits nearer than that may lie behind the origin.
-float hit_distance_error(IN(vec3) p0, IN(vec3) p1, IN(vec3) p2, IN(vec3) edges, IN(float) inverse_det) {
+// Whether a crossing inside the triangle at the computed t lies in front of the origin for certain.
+// Either t exceeds the bound of its error (pbrt-v4's derivation in "Robust Triangle Intersections", Physically Based
+// Rendering 4th ed., section 6.8.7; its x, y and z are in units of space): nearer hits may lie behind the origin. Or all
+// corners lie in front: the bound of a triangle seen edge-on may be as large as t itself, and a ray aimed at its edge
+// would slip through a closed surface.
+bool is_in_front(IN(ShearedRay) ray, IN(vec3) p0, IN(vec3) p1, IN(vec3) p2, IN(vec3) edges, IN(float) inverse_det,
+                 IN(float) t) {
   float largest_x = max(abs(p0.x), max(abs(p1.x), abs(p2.x)));
   float largest_y = max(abs(p0.y), max(abs(p1.y), abs(p2.y)));
   float largest_z = max(abs(p0.z), max(abs(p1.z), abs(p2.z)));
+  float largest_depth = largest_z * ray.depth_per_t;
   float largest_edge = max(abs(edges.x), max(abs(edges.y), abs(edges.z)));
   float error_z = gamma_bound(3.0f) * largest_z;
-  float error_x = gamma_bound(5.0f) * (largest_x + largest_z);
-  float error_y = gamma_bound(5.0f) * (largest_y + largest_z);
+  float error_x = gamma_bound(5.0f) * (largest_x + largest_depth);
+  float error_y = gamma_bound(5.0f) * (largest_y + largest_depth);
   float error_edge =
       2.0f * (gamma_bound(2.0f) * largest_x * largest_y + error_y * largest_x + error_x * largest_y);
-  return 3.0f * (gamma_bound(3.0f) * largest_edge * largest_z + error_edge * largest_z + error_z * largest_edge) *
-         abs(inverse_det);
+  float error_t = 3.0f * (gamma_bound(3.0f) * largest_edge * largest_z + error_edge * largest_z + error_z * largest_edge) *
+                  abs(inverse_det);
+  float nearest_depth = min(p0.z, min(p1.z, p2.z)) * ray.depth_per_t;
+  float near_depth = ray.near_depth + gamma_bound(CORNER_ROUNDINGS) * (largest_x + largest_y + largest_depth);
+  return t > error_t || nearest_depth > near_depth;
 }
 
 // Whether the ray crosses the triangle at (t, triangle) after (t_min, after_triangle) and before `hit`, in the order of
@@ -74,7 +89,7 @@ bool intersect_triangle(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v
   precise float t = (edges.x * p0.z + edges.y * p1.z + edges.z * p2.z) * inverse_det;
   bool after = t > t_min || (t == t_min && triangle > after_triangle && after_triangle != NONE);
   bool before = t < hit.t || (t == hit.t && triangle < hit.triangle);
-  bool accepted = inside && det != 0.0f && after && before && t > hit_distance_error(p0, p1, p2, edges, inverse_det);
+  bool accepted = inside && det != 0.0f && after && before && is_in_front(ray, p0, p1, p2, edges, inverse_det, t);
   hit.t = accepted ? t : hit.t;
   hit.triangle = accepted ? triangle : hit.triangle;
   hit.record = accepted ? record : hit.record;

@@ -24,7 +24,9 @@ Hit first_visible_hit(IN(Ray) ray) {
     looking = false;
     if ((effect_on(EFFECT_ALPHA_MASK) || effect_on(EFFECT_ALPHA_BLEND)) && hit.triangle != NONE) {
       TrianglePoint point = triangle_point(hit);
-      looking = surface_alpha(point, fetch_material(point.vertices.w)) == 0.0f;
+      DeviceMaterial material = fetch_material(point.vertices.w);
+      SlotTexels texels = fetch_slot_texels(point, material, 1u << TEXTURE_SLOT_BASE_COLOR | 1u << TEXTURE_SLOT_ALPHA);
+      looking = surface_alpha(material, texels, vertex_color(point)) == 0.0f;
       t_min = hit.t;
       after_triangle = hit.triangle;
     }
@@ -53,16 +55,17 @@ void trace_primary(IN(vec2) position, IN(uint) pixel) {
   }
   TrianglePoint point = triangle_point(hit);
   DeviceMaterial material = fetch_material(point.vertices.w);
-  SurfacePoint surface = surface_point(point, material, ray.direction);
-  uint uv_at = steering_constants().uv01_texel;
-  vec2 uv = uv_at == NONE ? vec2(0.0f) : uv_of_set(interpolated(point, uv_at), 0u);
+  SlotTexels texels = fetch_slot_texels(point, material, readable_slots());
+  vec4 color = vertex_color(point);
+  SurfacePoint surface = surface_point(point, material, texels, ray.direction);
+  vec2 uv = interpolated_uv(point, 0u);
   store_aov(first + AOV_DEPTH, floatBitsToUint(hit.t * constants.metres_per_unit));
   store_aov_vector(first + AOV_POSITION, surface.position * constants.metres_per_unit + constants.world_center);
   store_aov_vector(first + AOV_NORMAL, surface.geometric_normal);
   store_aov_vector(first + AOV_SHADING_NORMAL, surface.normal);
   store_aov(first + AOV_UV, floatBitsToUint(uv.x));
   store_aov(first + AOV_UV + 1u, floatBitsToUint(uv.y));
-  store_aov_vector(first + AOV_ALBEDO, shading_terms(point, material, first_three(surface.color)).base);
+  store_aov_vector(first + AOV_ALBEDO, shading_terms(material, texels, first_three(color)).base);
   store_aov(first + AOV_OBJECT_ID, load_triangle_id(2u * hit.triangle));
   store_aov(first + AOV_MATERIAL_ID, point.vertices.w);
   store_aov(first + AOV_PRIMITIVE_ID, load_triangle_id(2u * hit.triangle + 1u));

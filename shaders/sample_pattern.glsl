@@ -27,14 +27,15 @@ uint owen_scramble(IN(uint) value, IN(uint) key) {
   return bitfieldReverse(v);
 }
 
-// Second Sobol dimension: the Pascal matrix modulo 2 applied to the reversed bits, in log steps.
+// Second Sobol dimension: the Pascal matrix modulo 2 applied to the reversed bits, in log steps. Bit c of the index, counted
+// from 0, reaches bit 31 - r of the result where the bits of r are a subset of those of c (Lucas's theorem).
 uint sobol_1(IN(uint) index) {
   uint v = bitfieldReverse(index);
-  v ^= v >> 16;
-  v ^= (v & 0xff00ff00u) >> 8;
-  v ^= (v & 0xf0f0f0f0u) >> 4;
-  v ^= (v & 0xccccccccu) >> 2;
-  v ^= (v & 0xaaaaaaaau) >> 1;
+  v ^= v << 16;
+  v ^= (v & 0x00ff00ffu) << 8;
+  v ^= (v & 0x0f0f0f0fu) << 4;
+  v ^= (v & 0x33333333u) << 2;
+  v ^= (v & 0x55555555u) << 1;
   return v;
 }
 

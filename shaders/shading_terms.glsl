@@ -21,11 +21,11 @@ struct ShadingTerms {
   vec3 emission;
 };
 
-// Exponent of the Blinn lobe whose width matches a microfacet roughness alpha = roughness^2, kept below that of
-// alpha = 2^-8 (131070): 2 / alpha^2 - 2. Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces";
+// Exponent of the Blinn lobe whose width matches a microfacet roughness alpha = roughness^2, at most that of
+// alpha = 2^-5 (2046), so that highlights of point lights are no sub-pixel sparkles: 2 / alpha^2 - 2. Walter et al. 2007, "Microfacet Models for Refraction through Rough Surfaces";
 // Karis 2013, "Specular BRDF Reference".
 float exponent_of_roughness(IN(float) roughness) {
-  float alpha = max(roughness * roughness, 0.00390625f);
+  float alpha = max(roughness * roughness, 0.03125f);
   return 2.0f / (alpha * alpha) - 2.0f;
 }
 
@@ -54,21 +54,12 @@ ShadingTerms microfacet_terms(IN(vec3) base, IN(vec3) diffuse, IN(vec3) f0, IN(v
   return terms;
 }
 
-vec4 surface_texture(IN(TrianglePoint) point, IN(DeviceMaterial) material) {
-  return effect_on(EFFECT_SURFACE_TEXTURE) ? slot_texture(point, material, TEXTURE_SLOT_SURFACE) : vec4(1.0f);
-}
-
-vec4 other_texture(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(uint) slot) {
-  return effect_on(EFFECT_OTHER_TEXTURES) ? slot_texture(point, material, slot) : vec4(1.0f);
-}
-
-ShadingTerms metallic_roughness_terms(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(vec3) base) {
-  vec4 texel = surface_texture(point, material);
-  float metallic = material.metallic * texel.z;
-  float roughness = material.roughness * texel.y;
-  float strength = material.specular_strength * other_texture(point, material, TEXTURE_SLOT_SPECULAR).w;
-  vec3 color = material.specular * first_three(other_texture(point, material, TEXTURE_SLOT_SPECULAR_COLOR));
-  float transmission = material.transmission.x * other_texture(point, material, TEXTURE_SLOT_TRANSMISSION).x;
+ShadingTerms metallic_roughness_terms(IN(DeviceMaterial) material, IN(SlotTexels) texels, IN(vec3) base) {
+  float metallic = material.metallic * texels.surface.z;
+  float roughness = material.roughness * texels.surface.y;
+  float strength = material.specular_strength * texels.specular.w;
+  vec3 color = material.specular * first_three(texels.specular_color);
+  float transmission = material.transmission.x * texels.transmission.x;
   vec3 dielectric = min(dielectric_f0(material.ior) * color, vec3(1.0f)) * strength;
   vec3 f0 = mix(dielectric, base, metallic);
   vec3 f90 = vec3(mix(strength, 1.0f, metallic));
@@ -79,23 +70,22 @@ ShadingTerms metallic_roughness_terms(IN(TrianglePoint) point, IN(DeviceMaterial
   return terms;
 }
 
-ShadingTerms specular_glossiness_terms(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(vec3) base) {
-  vec4 texel = surface_texture(point, material);
-  vec3 f0 = min(material.specular * first_three(texel), vec3(1.0f));
-  float roughness = 1.0f - (1.0f - material.roughness) * texel.w;
+ShadingTerms specular_glossiness_terms(IN(DeviceMaterial) material, IN(SlotTexels) texels, IN(vec3) base) {
+  vec3 f0 = min(material.specular * first_three(texels.surface), vec3(1.0f));
+  float roughness = 1.0f - (1.0f - material.roughness) * texels.surface.w;
   vec3 f90 = vec3(max3(f0) > 0.0f ? 1.0f : 0.0f);
   return microfacet_terms(base, base * (1.0f - max3(f0)), f0, f90, roughness);
 }
 
-ShadingTerms mtl_terms(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(vec3) base) {
-  vec3 texel = first_three(surface_texture(point, material));
+ShadingTerms mtl_terms(IN(DeviceMaterial) material, IN(SlotTexels) texels, IN(vec3) base) {
+  vec3 texel = first_three(texels.surface);
   ShadingTerms terms;
   terms.base = base;
   terms.diffuse = base;
   terms.specular = material.specular * texel / PI;
-  terms.exponent = material.roughness * other_texture(point, material, TEXTURE_SLOT_SPECULAR).x;
+  terms.exponent = material.roughness * texels.specular.x;
   terms.cosine = false;
-  terms.ambient = material.ambient * first_three(other_texture(point, material, TEXTURE_SLOT_SPECULAR_COLOR));
+  terms.ambient = material.ambient * first_three(texels.specular_color);
   terms.mirror = material.reflection * texel;
   terms.mirror_grazing = has_flag(material, MATERIAL_FRESNEL_REFLECTION) ? vec3(1.0f) : terms.mirror;
   terms.transmission = material.transmission;
@@ -104,27 +94,20 @@ ShadingTerms mtl_terms(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(
   return terms;
 }
 
-// The terms of the surface at `point` with vertex colour `color`.
-ShadingTerms shading_terms(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(vec3) color) {
-  vec3 base = first_three(material.base_color) * color;
-  if (effect_on(EFFECT_BASE_COLOR_TEXTURE)) base *= first_three(slot_texture(point, material, TEXTURE_SLOT_BASE_COLOR));
+// The terms of a surface with the texels of its slots and vertex colour `color`.
+ShadingTerms shading_terms(IN(DeviceMaterial) material, IN(SlotTexels) texels, IN(vec3) color) {
+  vec3 base = first_three(material.base_color) * first_three(texels.base_color) * color;
   uint workflow = workflow_of(material);
   ShadingTerms terms;
   if (workflow == WORKFLOW_METALLIC_ROUGHNESS) {
-    terms = metallic_roughness_terms(point, material, base);
+    terms = metallic_roughness_terms(material, texels, base);
   } else if (workflow == WORKFLOW_SPECULAR_GLOSSINESS) {
-    terms = specular_glossiness_terms(point, material, base);
+    terms = specular_glossiness_terms(material, texels, base);
   } else {
-    terms = mtl_terms(point, material, base);
+    terms = mtl_terms(material, texels, base);
   }
-  if (effect_on(EFFECT_EMISSION)) {
-    terms.emission = material.emission;
-    if (effect_on(EFFECT_EMISSION_TEXTURE)) terms.emission *= first_three(slot_texture(point, material, TEXTURE_SLOT_EMISSION));
-  }
-  if (effect_on(EFFECT_OCCLUSION_TEXTURE)) {
-    float occlusion = slot_texture(point, material, TEXTURE_SLOT_OCCLUSION).x;
-    terms.ambient *= 1.0f + material.occlusion_strength * (occlusion - 1.0f);
-  }
+  if (effect_on(EFFECT_EMISSION)) terms.emission = material.emission * first_three(texels.emission);
+  terms.ambient *= 1.0f + material.occlusion_strength * (texels.occlusion.x - 1.0f);
   return terms;
 }
 

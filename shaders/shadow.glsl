@@ -7,6 +7,10 @@
 #include "fresnel.glsl"
 #include "traverse_bvh.glsl"
 
+// Slots that decide how much light a surface lets pass.
+const uint TRANSMITTANCE_SLOTS = 1u << TEXTURE_SLOT_BASE_COLOR | 1u << TEXTURE_SLOT_SURFACE |
+                                1u << TEXTURE_SLOT_TRANSMISSION | 1u << TEXTURE_SLOT_ALPHA;
+
 struct Transmittance {
   vec3 value;
   bool finished;  // false: cut off by a loop limit, the value may not be used
@@ -18,12 +22,11 @@ void count_cost(INOUT(RayCounts) counts, IN(TraversalCost) cost) {
 }
 
 // Factor of the hit alone, without absorption: 1 - a + a t.
-vec3 hit_transmittance(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(float) alpha, IN(float) cosine) {
+vec3 hit_transmittance(IN(DeviceMaterial) material, IN(SlotTexels) texels, IN(vec4) color, IN(float) alpha, IN(float) cosine) {
   vec3 through = vec3(0.0f);
   if (is_transmissive(material)) {
-    vec3 color = first_three(vertex_color(point));
     bool fresnel_free = workflow_of(material) == WORKFLOW_BLINN && !has_flag(material, MATERIAL_FRESNEL_REFLECTION);
-    through = shading_terms(point, material, color).transmission;
+    through = shading_terms(material, texels, first_three(color)).transmission;
     through *= fresnel_free ? 1.0f : fresnel_dielectric(cosine, material.ior).transmitted;
   }
   return vec3(1.0f - alpha) + through * alpha;
@@ -46,10 +49,13 @@ Transmittance tinted_transmittance(IN(Ray) ray, IN(float) t_max, INOUT(RayCounts
     if (open) {
       TrianglePoint point = triangle_point(hit);
       DeviceMaterial material = fetch_material(point.vertices.w);
-      float alpha = surface_alpha(point, material);
+      SlotTexels texels = fetch_slot_texels(point, material, TRANSMITTANCE_SLOTS);
+      vec4 color = vertex_color(point);
+      result.finished = result.finished && texels.finished;
+      float alpha = surface_alpha(material, texels, color);
       vec3 normal = unit_vector(cross_product(point.e1, point.e2));
       float along = dot_product(normal, ray.direction) / length_of_t;
-      result.value *= hit_transmittance(point, material, alpha, min(abs(along), 1.0f));
+      result.value *= hit_transmittance(material, texels, color, alpha, min(abs(along), 1.0f));
       if (effect_on(EFFECT_ABSORPTION) && is_transmissive(material) && !has_flag(material, MATERIAL_THIN_WALLED) && alpha > 0.0f) {
         optical_depth += material.absorption * (along > 0.0f ? hit.t * length_of_t : -hit.t * length_of_t);
       }

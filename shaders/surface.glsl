@@ -2,8 +2,7 @@
 #ifndef VERNIER_SURFACE_GLSL
 #define VERNIER_SURFACE_GLSL
 
-#include "ray.glsl"
-#include "texture.glsl"
+#include "slot_texels.glsl"
 
 // A hit triangle with all that the corners say.
 struct SurfacePoint {
@@ -13,60 +12,7 @@ struct SurfacePoint {
   vec3 normal;           // unit, shading, towards the viewer
   bool front;            // the viewer sees the front side
   uint material;
-  vec4 color;            // vertex colour
 };
-
-// A triangle's corners, vertices and the weights of the hit.
-struct TrianglePoint {
-  vec3 v0, e1, e2;  // corner 0 and the edges to corners 1 and 2
-  uvec4 vertices;   // vertex 0, 1, 2, material
-  float b0, b1, b2;
-};
-
-TrianglePoint triangle_point(IN(Hit) hit) {
-  uvec4 a = load_record(3u * hit.record);
-  uvec4 b = load_record(3u * hit.record + 1u);
-  uvec4 c = load_record(3u * hit.record + 2u);
-  vec3 v0 = first_three(float_texel(a));
-  vec3 e1 = first_three(float_texel(b)) - v0;
-  vec3 e2 = first_three(float_texel(c)) - v0;
-  return TrianglePoint(v0, e1, e2, load_triangle(hit.triangle), 1.0f - hit.b1 - hit.b2, hit.b1, hit.b2);
-}
-
-// Attribute number `texel` of the three vertices, weighed.
-vec4 interpolated(IN(TrianglePoint) point, IN(uint) texel) {
-  uint stride = steering_constants().vertex_texels;
-  vec4 a0 = float_texel(load_vertex(point.vertices.x * stride + texel));
-  vec4 a1 = float_texel(load_vertex(point.vertices.y * stride + texel));
-  vec4 a2 = float_texel(load_vertex(point.vertices.z * stride + texel));
-  return a0 * point.b0 + a1 * point.b1 + a2 * point.b2;
-}
-
-vec4 vertex_attribute(IN(uint) vertex, IN(uint) texel) {
-  return float_texel(load_vertex(vertex * steering_constants().vertex_texels + texel));
-}
-
-vec2 uv_of_set(IN(vec4) pair, IN(uint) set) { return (set & 1u) == 0u ? vec2(pair.x, pair.y) : vec2(pair.z, pair.w); }
-
-uint uv_texel(IN(uint) set) {
-  SteeringConstants constants = steering_constants();
-  return set < 2u ? constants.uv01_texel : constants.uv23_texel;
-}
-
-// Texture of `slot` at the hit; (1, 1, 1, 1) where the material has none there.
-vec4 slot_texture(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(uint) slot) {
-  if ((material.textured_slots & (1u << slot)) == 0u) return vec4(1.0f);
-  DeviceTextureUse use = fetch_texture_use(point.vertices.w, slot);
-  uint texel = uv_texel(use.uv_set);
-  vec2 uv = texel == NONE ? vec2(0.0f) : uv_of_set(interpolated(point, texel), use.uv_set);
-  return sample_texture(use.texture, vec2(use.m00 * uv.x + use.m01 * uv.y + use.m02, use.m10 * uv.x + use.m11 * uv.y + use.m12));
-}
-
-vec4 vertex_color(IN(TrianglePoint) point) {
-  uint texel = steering_constants().color_texel;
-  if (!effect_on(EFFECT_VERTEX_COLORS) || texel == NONE) return vec4(1.0f);
-  return interpolated(point, texel);
-}
 
 // Interpolated vertex normal on the side of `geometric`, or `geometric` itself where a corner has none.
 vec3 interpolated_normal(IN(TrianglePoint) point, IN(vec3) geometric) {
@@ -106,20 +52,20 @@ vec4 tangent_frame(IN(TrianglePoint) point, IN(vec3) normal, IN(uint) uv_set) {
 }
 
 // `normal` bent by the material's normal texture; unchanged where there is none or no tangent.
-vec3 bent_normal(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(vec3) normal) {
+vec3 bent_normal(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(SlotTexels) texels, IN(vec3) normal) {
   if ((material.textured_slots & (1u << TEXTURE_SLOT_NORMAL)) == 0u) return normal;
-  vec4 texel = slot_texture(point, material, TEXTURE_SLOT_NORMAL);
-  vec4 frame = tangent_frame(point, normal, fetch_texture_use(point.vertices.w, TEXTURE_SLOT_NORMAL).uv_set);
+  vec4 frame = tangent_frame(point, normal, texels.normal_uv_set);
   vec3 tangent = first_three(frame);
   if (tangent == vec3(0.0f)) return normal;
   vec3 bitangent = cross_product(normal, tangent) * frame.w;
-  vec2 slope = (vec2(texel.x, texel.y) * 2.0f - 1.0f) * material.normal_scale;
-  vec3 bent = unit_vector(tangent * slope.x + bitangent * slope.y + normal * (texel.z * 2.0f - 1.0f));
+  vec2 slope = (vec2(texels.normal.x, texels.normal.y) * 2.0f - 1.0f) * material.normal_scale;
+  vec3 bent = unit_vector(tangent * slope.x + bitangent * slope.y + normal * (texels.normal.z * 2.0f - 1.0f));
   return bent == vec3(0.0f) ? normal : bent;
 }
 
 // Place and normals of the hit, seen along `direction`.
-SurfacePoint surface_point(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(vec3) direction) {
+SurfacePoint surface_point(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(SlotTexels) texels,
+                           IN(vec3) direction) {
   SurfacePoint surface;
   precise vec3 position = point.v0 + (point.e1 * point.b1 + point.e2 * point.b2);
   surface.position = position;
@@ -129,26 +75,20 @@ SurfacePoint surface_point(IN(TrianglePoint) point, IN(DeviceMaterial) material,
   surface.position_error = HALF_ULP_OF_ONE * (2.0f * abs(point.v0) + 6.0f * extent);
   vec3 geometric = unit_vector(cross_product(point.e1, point.e2));
   vec3 normal = interpolated_normal(point, geometric);
-  if (effect_on(EFFECT_NORMAL_TEXTURE)) normal = bent_normal(point, material, normal);
+  if (effect_on(EFFECT_NORMAL_TEXTURE)) normal = bent_normal(point, material, texels, normal);
   surface.front = dot_product(geometric, direction) <= 0.0f;
   surface.geometric_normal = surface.front ? geometric : -geometric;
   surface.normal = surface.front ? normal : -normal;
   surface.material = point.vertices.w;
-  surface.color = vertex_color(point);
   return surface;
 }
 
-// Opacity of the hit in [0, 1]: 0 where a mask cuts it out.
-float surface_alpha(IN(TrianglePoint) point, IN(DeviceMaterial) material) {
+// Opacity of the hit in [0, 1]: 0 where a mask cuts it out. `color` is the vertex colour.
+float surface_alpha(IN(DeviceMaterial) material, IN(SlotTexels) texels, IN(vec4) color) {
   uint mode = alpha_mode_of(material);
   if (mode == ALPHA_OPAQUE) return 1.0f;
-  float alpha = material.base_color.w;
-  if (effect_on(EFFECT_VERTEX_COLORS)) alpha *= vertex_color(point).w;
-  if (workflow_of(material) == WORKFLOW_BLINN) {
-    if (effect_on(EFFECT_OTHER_TEXTURES)) alpha *= slot_texture(point, material, TEXTURE_SLOT_ALPHA).x;
-  } else {
-    if (effect_on(EFFECT_BASE_COLOR_TEXTURE)) alpha *= slot_texture(point, material, TEXTURE_SLOT_BASE_COLOR).w;
-  }
+  float textured = workflow_of(material) == WORKFLOW_BLINN ? texels.alpha.x : texels.base_color.w;
+  float alpha = material.base_color.w * color.w * textured;
   if (mode == ALPHA_MASK) return alpha < material.alpha_cutoff ? 0.0f : 1.0f;
   return clamp(alpha, 0.0f, 1.0f);
 }

@@ -28,7 +28,7 @@ float srgb_to_linear(IN(uint) byte_value) { return uintBitsToFloat(load_texel(by
 vec4 decoded_texel(IN(uvec4) texture_words, IN(int) x, IN(int) y) {
   uint format = texture_words.w & TEXTURE_FORMAT_MASK;
   uint index = uint(y) * texture_words.x + uint(x);
-  if (format == TEXTURE_FORMAT_FLOAT) {
+  if (effect_on(EFFECT_FLOAT_TEXTURES) && format == TEXTURE_FORMAT_FLOAT) {
     uint first = texture_words.z + 4u * index;
     return float_texel(uvec4(load_texel(first), load_texel(first + 1u), load_texel(first + 2u), load_texel(first + 3u)));
   }
@@ -40,25 +40,25 @@ vec4 decoded_texel(IN(uvec4) texture_words, IN(int) x, IN(int) y) {
   return vec4(float(bytes.x), float(bytes.y), float(bytes.z), float(bytes.w)) / 255.0f;
 }
 
-// Texture number `index` at (u, v), v down: nearest or bilinear with its wrap modes.
+// Texture number `index` at (u, v), v down, with its wrap modes: bilinear, or nearest as bilinear with all weight on one
+// texel.
 vec4 sample_texture(IN(uint) index, IN(vec2) uv) {
   uvec4 words = load_texture(index);
-  int width = int(words.x);
-  int height = int(words.y);
+  ivec2 size = ivec2(int(words.x), int(words.y));
   uint wrap_u = (words.w >> TEXTURE_WRAP_U_SHIFT) & 3u;
   uint wrap_v = (words.w >> TEXTURE_WRAP_V_SHIFT) & 3u;
-  vec2 position = vec2(wrapped_coordinate(uv.x, wrap_u), wrapped_coordinate(uv.y, wrap_v)) * vec2(float(width), float(height));
-  if (((words.w >> TEXTURE_FILTER_SHIFT) & 1u) == TEXTURE_FILTER_NEAREST) {
-    return decoded_texel(words, wrapped_index(int(floor(position.x)), width, wrap_u == TEXTURE_WRAP_MIRROR ? wrap_u : TEXTURE_WRAP_CLAMP),
-                         wrapped_index(int(floor(position.y)), height, wrap_v == TEXTURE_WRAP_MIRROR ? wrap_v : TEXTURE_WRAP_CLAMP));
-  }
-  vec2 corner = position - 0.5f;
+  bool nearest = ((words.w >> TEXTURE_FILTER_SHIFT) & 1u) == TEXTURE_FILTER_NEAREST;
+  vec2 position = vec2(wrapped_coordinate(uv.x, wrap_u), wrapped_coordinate(uv.y, wrap_v)) * vec2(size);
+  vec2 corner = nearest ? position : position - 0.5f;
   vec2 whole = floor(corner);
-  vec2 part = corner - whole;
-  int x0 = wrapped_index(int(whole.x), width, wrap_u);
-  int x1 = wrapped_index(int(whole.x) + 1, width, wrap_u);
-  int y0 = wrapped_index(int(whole.y), height, wrap_v);
-  int y1 = wrapped_index(int(whole.y) + 1, height, wrap_v);
+  vec2 part = nearest ? vec2(0.0f) : corner - whole;
+  // Nearest: u = 1 of clamp, and of repeat where a tiny negative u rounds up to it, belongs to the last texel.
+  uint repeat_u = nearest && wrap_u == TEXTURE_WRAP_REPEAT ? TEXTURE_WRAP_CLAMP : wrap_u;
+  uint repeat_v = nearest && wrap_v == TEXTURE_WRAP_REPEAT ? TEXTURE_WRAP_CLAMP : wrap_v;
+  int x0 = wrapped_index(int(whole.x), size.x, repeat_u);
+  int x1 = wrapped_index(int(whole.x) + 1, size.x, repeat_u);
+  int y0 = wrapped_index(int(whole.y), size.y, repeat_v);
+  int y1 = wrapped_index(int(whole.y) + 1, size.y, repeat_v);
   vec4 top = mix(decoded_texel(words, x0, y0), decoded_texel(words, x1, y0), part.x);
   vec4 bottom = mix(decoded_texel(words, x0, y1), decoded_texel(words, x1, y1), part.x);
   return mix(top, bottom, part.y);

@@ -83,11 +83,14 @@ RayResult trace_ray(IN(PathRay) ray, INOUT(RayCounts) counts) {
   }
   TrianglePoint point = triangle_point(hit);
   DeviceMaterial material = fetch_material(point.vertices.w);
+  SlotTexels texels = fetch_slot_texels(point, material, readable_slots());
+  vec4 color = vertex_color(point);
+  result.finished = result.finished && texels.finished;
   vec3 weight = ray.weight;
   if (effect_on(EFFECT_ABSORPTION) && ray.medium != NONE) weight *= exp(-fetch_absorption(ray.medium) * hit.t);
   float alpha = 1.0f;
   if (effect_on(EFFECT_ALPHA_MASK) || effect_on(EFFECT_ALPHA_BLEND)) {
-    alpha = surface_alpha(point, material);
+    alpha = surface_alpha(material, texels, color);
     if (alpha < 1.0f) {
       // The same ray goes on behind the hit; the part of it in the medium is weighed when it ends.
       result.children.passed = PathRay(ray.origin, ray.direction, kept_weight(ray.weight * (1.0f - alpha)), hit.t, hit.triangle, ray.depth, ray.medium);
@@ -95,8 +98,8 @@ RayResult trace_ray(IN(PathRay) ray, INOUT(RayCounts) counts) {
   }
   result.hit = alpha > 0.0f;
   weight *= alpha;
-  SurfacePoint surface = surface_point(point, material, ray.direction);
-  ShadingTerms terms = shading_terms(point, material, first_three(surface.color));
+  SurfacePoint surface = surface_point(point, material, texels, ray.direction);
+  ShadingTerms terms = shading_terms(material, texels, first_three(color));
   if (effect_on(EFFECT_UNLIT) && has_flag(material, MATERIAL_UNLIT)) {
     result.radiance = weight * terms.base;
     return result;

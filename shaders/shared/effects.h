@@ -27,6 +27,7 @@
 #define EFFECT_UNLIT (1u << 21)
 #define EFFECT_ENVIRONMENT_MAP (1u << 22)    // an image as environment
 #define EFFECT_ORTHOGRAPHIC (1u << 23)       // the camera's rays are parallel
-#define EFFECT_COUNT 24u
+#define EFFECT_FLOAT_TEXTURES (1u << 24)     // images of more than 8 bits per channel
+#define EFFECT_COUNT 25u
 
 #endif

@@ -136,6 +136,13 @@ void detect_bounces(EffectSet& effects, const SeenMaterial& seen, int max_bounce
   }
 }
 
+void detect_texture_format(EffectSet& effects, const Scene& scene, int texture) {
+  const auto index = static_cast<std::size_t>(texture);
+  if (scene.textures[index].texels->format == TEXTURE_FORMAT_FLOAT) {
+    switch_on(effects, EFFECT_FLOAT_TEXTURES, label_of("texture", index, scene.textures[index].name));
+  }
+}
+
 void detect_textures(EffectSet& effects, const Scene& scene, const SeenMaterial& seen) {
   for (const SlotEffect& slot : kSlotEffects) {
     const bool unseen = slot.slot == TEXTURE_SLOT_OCCLUSION && !(effects.bits & EFFECT_AMBIENT);
@@ -143,6 +150,7 @@ void detect_textures(EffectSet& effects, const Scene& scene, const SeenMaterial&
       const auto index = static_cast<std::size_t>(seen.material->textures[slot.slot].texture);
       switch_on(effects, slot.bit,
                 seen.label + ": " + slot.what + " " + label_of("texture", index, scene.textures[index].name));
+      detect_texture_format(effects, scene, seen.material->textures[slot.slot].texture);
     }
   }
 }
@@ -188,6 +196,7 @@ void detect_view(EffectSet& effects, const Scene& scene, const Camera& camera) {
   if (environment.texture >= 0 && !is_zero(environment.texture_scale)) {
     const auto index = static_cast<std::size_t>(environment.texture);
     switch_on(effects, EFFECT_ENVIRONMENT_MAP, label_of("texture", index, scene.textures[index].name));
+    detect_texture_format(effects, scene, environment.texture);
   }
   if (camera.orthographic) {
     switch_on(effects, EFFECT_ORTHOGRAPHIC, camera.name.empty() ? "the camera" : "camera " + camera.name);

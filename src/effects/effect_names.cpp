@@ -34,6 +34,7 @@ constexpr std::array<EffectName, EFFECT_COUNT> kNames = {{
     {EFFECT_UNLIT, "unlit", "no used material is unlit"},
     {EFFECT_ENVIRONMENT_MAP, "environment_map", "the environment has no image"},
     {EFFECT_ORTHOGRAPHIC, "orthographic", "the camera is perspective"},
+    {EFFECT_FLOAT_TEXTURES, "float_textures", "no texture that counts has more than 8 bits per channel"},
 }};
 
 constexpr std::array<EffectNeed, 5> kNeeds = {{

@@ -1,4 +1,3 @@
-#define TINYOBJLOADER_USE_DOUBLE
 #include "scene/parse_obj.h"
 
 #include <tiny_obj_loader.h>

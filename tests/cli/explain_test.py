@@ -5,7 +5,7 @@ import unittest
 
 from program import SCENE, TRIANGLE_OBJ, ProgramTest
 
-EFFECT_COUNT = 24
+EFFECT_COUNT = 25
 
 
 class ExplainTest(ProgramTest):

@@ -1,0 +1,87 @@
+#pragma once
+
+// The text of shaders/*.glsl as C++ (shaders/README.md, "Compiled twice"). What specialization.glsl and buffers.glsl
+// declare on a device stands here: specialization constants as variables, the bound buffers as vectors.
+
+#include <cmath>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <glm/integer.hpp>
+
+#include "shader/memory.h"
+#include "shared/bindings.h"
+#include "shared/bvh_record.h"
+#include "shared/effects.h"
+#include "shared/film_layout.h"
+#include "shared/glsl.h"
+#include "shared/material_layout.h"
+#include "shared/render_constants.h"
+
+// Each test uses a few of the functions only.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wunused-function"
+
+namespace vernier::shader {
+namespace {
+
+using glm::bvec3;
+using glm::ivec2;
+using glm::ivec3;
+using glm::ivec4;
+using glm::uint;
+using glm::uvec3;
+using glm::uvec4;
+using glm::vec2;
+using glm::vec3;
+using glm::vec4;
+
+using glm::abs;
+using glm::bitfieldReverse;
+using glm::clamp;
+using glm::exp;
+using glm::exp2;
+using glm::findLSB;
+using glm::floatBitsToInt;
+using glm::floatBitsToUint;
+using glm::floor;
+using glm::log;
+using glm::max;
+using glm::min;
+using glm::mix;
+using glm::sqrt;
+using glm::uintBitsToFloat;
+
+uint EFFECTS = 0xffffffffu;
+constexpr uint TRAVERSAL_STACK_SIZE = 64u;
+bool SHIFT_STACK = false;
+uint PATH_STACK_SIZE = 18u;
+bool COUNT_COST = false;
+bool effect_on(uint effect) { return (EFFECTS & effect) != 0u; }
+
+RenderConstants render_constants() { return memory->render; }
+DispatchConstants dispatch_constants() { return memory->dispatch; }
+SteeringConstants steering_constants() { return memory->dispatch.steering; }
+bool scene_has_triangles() { return memory->dispatch.steering.triangle_count > 0u; }
+uvec4 load_record(uint i) { return memory->records.at(i); }
+uvec4 load_triangle(uint i) { return memory->triangles.at(i); }
+uvec4 load_vertex(uint i) { return memory->vertices.at(i); }
+uvec4 load_material(uint i) { return memory->materials.at(i); }
+uvec4 load_light(uint i) { return memory->lights.at(i); }
+uvec4 load_texture(uint i) { return memory->textures.at(i); }
+uint load_texel(uint i) { return memory->texels.at(i); }
+uint load_triangle_id(uint i) { return memory->triangle_ids.at(i); }
+uint load_film(uint i) { return memory->film.at(i); }
+void store_film(uint i, uint word) { memory->film.at(i) = word; }
+uint load_path(uint i) { return memory->paths.at(i); }
+void store_path(uint i, uint word) { memory->paths.at(i) = word; }
+void store_aov(uint i, uint word) { memory->aovs.at(i) = word; }
+void add_to_counter(uint i, uint amount) { memory->counters.at(i) += amount; }
+
+#include "traversal_stack.glsl"
+#include "trace_pixel.glsl"
+#include "primary.glsl"
+
+}  // namespace
+}  // namespace vernier::shader
+
+#pragma GCC diagnostic pop

@@ -1,0 +1,179 @@
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "shader/bound_bvh.h"
+#include "shader/random_values.h"
+#include "shader/shader.h"
+#include "unit/bvh/triangle_sets.h"
+
+namespace vernier::shader {
+namespace {
+
+using test::Triangles;
+
+constexpr int kRays = 2000;
+
+/// Every triangle in turn with the same test; zero areas never are hit.
+Hit brute_force(const Triangles& triangles, const Ray& ray, float t_min, uint after, float t_max) {
+  Hit hit = no_hit(t_max);
+  const ShearedRay sheared = sheared_ray(ray);
+  for (const BvhTriangle& t : triangles) intersect_triangle(sheared, t.v0, t.v1, t.v2, t.id, 0u, t_min, after, hit);
+  return hit;
+}
+
+Hit closest(const Ray& ray, float t_min = 0.0f, uint after = NONE, float t_max = LARGEST_FLOAT) {
+  Hit hit = no_hit(t_max);
+  EXPECT_TRUE(traverse_bvh(ray, t_min, after, false, hit).finished);
+  return hit;
+}
+
+/// A ray through the bounds of `triangles`; every fourth is parallel to an axis or a plane, every eighth has a -0.
+Ray random_ray(RandomValues& random, const Triangles& triangles, int number) {
+  const BvhTriangle& target = triangles[random.word() % triangles.size()];
+  const BvhTriangle& far = triangles[random.word() % triangles.size()];
+  const float reach = glm::distance(far.v1, target.v0) + glm::distance(target.v1, target.v2);
+  vec3 origin = far.v1 + random.direction() * (reach * random.in(0, 1));
+  const float b = random.in(0, 1);
+  const vec3 aim = target.v0 + (target.v1 - target.v0) * b + (target.v2 - target.v0) * ((1 - b) * random.in(0, 1));
+  vec3 direction = aim - origin;
+  if (number % 4 == 0) {
+    const std::uint32_t axis = random.word() % 3;
+    direction[static_cast<int>(axis)] = number % 8 == 0 ? -0.0f : 0.0f;
+    origin[static_cast<int>(axis)] = aim[static_cast<int>(axis)];
+  }
+  return Ray(origin, direction);
+}
+
+TEST(TraverseBvh, finds_what_every_triangle_in_turn_finds) {
+  for (const auto& [name, triangles] : test::all_sets()) {
+    Memory scene = bvh_memory(triangles);
+    const BoundMemory bound(scene);
+    RandomValues random(25);
+    int hits = 0;
+    for (int i = 0; i < kRays; ++i) {
+      const Ray ray = random_ray(random, triangles, i);
+      const Hit expected = brute_force(triangles, ray, 0.0f, NONE, LARGEST_FLOAT);
+      const Hit hit = closest(ray);
+      ASSERT_EQ(hit.triangle, expected.triangle) << name << ' ' << i;
+      ASSERT_EQ(hit.t, expected.t) << name << ' ' << i;
+      hits += hit.triangle != NONE ? 1 : 0;
+    }
+    EXPECT_GT(hits, kRays / 10) << name;
+  }
+}
+
+TEST(TraverseBvh, all_hits_come_one_after_the_other) {
+  for (const auto& [name, triangles] : test::all_sets()) {
+    Memory scene = bvh_memory(triangles);
+    const BoundMemory bound(scene);
+    RandomValues random(26);
+    for (int i = 0; i < 100; ++i) {
+      const Ray ray = random_ray(random, triangles, i);
+      float t = 0.0f;
+      uint after = NONE;
+      for (int step = 0; step < 20; ++step) {
+        const Hit expected = brute_force(triangles, ray, t, after, LARGEST_FLOAT);
+        const Hit hit = closest(ray, t, after);
+        ASSERT_EQ(hit.triangle, expected.triangle) << name << ' ' << i;
+        if (hit.triangle == NONE) break;
+        ASSERT_TRUE(hit.t > t || (hit.t == t && hit.triangle > after));
+        t = hit.t;
+        after = hit.triangle;
+      }
+    }
+  }
+}
+
+TEST(TraverseBvh, any_hit_is_some_opaque_hit_within_reach) {
+  const Triangles triangles = test::random_soup(2000, 0.1f, 27);
+  const auto not_opaque = [](std::uint32_t id) { return id % 3 == 0; };
+  Memory scene = bvh_memory(triangles, not_opaque);
+  const BoundMemory bound(scene);
+  RandomValues random(28);
+  for (int i = 0; i < kRays; ++i) {
+    const Ray ray = random_ray(random, triangles, i);
+    const float t_max = random.in(0.2, 1.2);
+    Hit hit = no_hit(t_max);
+    EXPECT_TRUE(traverse_bvh(ray, 0.0f, NONE, true, hit).finished);
+    Hit opaque = no_hit(t_max);
+    const ShearedRay sheared = sheared_ray(ray);
+    for (const BvhTriangle& t : triangles) {
+      if (!not_opaque(t.id)) intersect_triangle(sheared, t.v0, t.v1, t.v2, t.id, 0u, 0.0f, NONE, opaque);
+    }
+    if (opaque.triangle != NONE) {
+      ASSERT_NE(hit.triangle, NONE);
+    } else {
+      // Only what lets light pass is there: the closest of it comes back.
+      ASSERT_EQ(hit.triangle, brute_force(triangles, ray, 0.0f, NONE, t_max).triangle);
+    }
+    ASSERT_TRUE(hit.triangle == NONE || hit.t < t_max);
+  }
+}
+
+TEST(TraverseBvh, both_stacks_take_the_same_steps) {
+  for (const auto& [name, triangles] : test::all_sets()) {
+    Memory scene = bvh_memory(triangles);
+    const BoundMemory bound(scene);
+    RandomValues random(29);
+    COUNT_COST = true;
+    for (int i = 0; i < kRays / 4; ++i) {
+      const Ray ray = random_ray(random, triangles, i);
+      Hit hit[2] = {no_hit(LARGEST_FLOAT), no_hit(LARGEST_FLOAT)};
+      TraversalCost cost[2];
+      for (int shift = 0; shift < 2; ++shift) {
+        SHIFT_STACK = shift == 1;
+        cost[shift] = traverse_bvh(ray, 0.0f, NONE, false, hit[shift]);
+      }
+      ASSERT_EQ(hit[0].triangle, hit[1].triangle) << name;
+      ASSERT_EQ(hit[0].t, hit[1].t);
+      ASSERT_EQ(cost[0].nodes, cost[1].nodes);
+      ASSERT_EQ(cost[0].triangles, cost[1].triangles);
+      ASSERT_GE(cost[0].nodes, 1u);
+    }
+    COUNT_COST = false;
+    SHIFT_STACK = false;
+  }
+}
+
+TEST(TraverseBvh, rays_that_are_none_end_at_once) {
+  const Triangles triangles = test::random_soup(500, 0.3f, 30);
+  Memory scene = bvh_memory(triangles);
+  const BoundMemory bound(scene);
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  for (float bad : {nan, infinity, -infinity}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      Ray ray(vec3(0.5f), vec3(1));
+      ray.origin[axis] = bad;
+      EXPECT_EQ(closest(ray).triangle, NONE);
+      ray = Ray(vec3(0.5f), vec3(1));
+      ray.direction[axis] = bad;
+      EXPECT_EQ(closest(ray).triangle, NONE);
+    }
+  }
+  EXPECT_EQ(closest(Ray(vec3(0.5f), vec3(0.0f))).triangle, NONE);
+  EXPECT_EQ(closest(Ray(vec3(0.5f), vec3(-0.0f))).triangle, NONE);
+}
+
+TEST(TraverseBvh, an_empty_scene_is_missed) {
+  Memory scene = bvh_memory(Triangles{});
+  const BoundMemory bound(scene);
+  EXPECT_EQ(closest(Ray(vec3(0), vec3(1))).triangle, NONE);
+}
+
+TEST(TraverseBvh, groups_hold_three_siblings) {
+  const uint group = group_of_rest(ivec4(4 * 9 + 3, 4 * 10 + 2, 4 * 11 + 0, 4 * 12 + 1), 0xabcdefu);
+  EXPECT_EQ(group_count(group), 3u);
+  EXPECT_EQ(group_next(group), 0xabcdefu + 2u);
+  const uint second = without_next(group);
+  EXPECT_EQ(group_count(second), 2u);
+  EXPECT_EQ(group_next(second), 0xabcdefu);
+  const uint last = without_next(second);
+  EXPECT_EQ(group_next(last), 0xabcdefu + 1u);
+  EXPECT_EQ(group_count(without_next(last)), 0u);
+  EXPECT_EQ(group_count(group_of_rest(ivec4(8, 12, SLAB_MISS, SLAB_MISS), 5u)), 1u);
+}
+
+}  // namespace
+}  // namespace vernier::shader
