@@ -59,6 +59,7 @@ void store_film(uint i, uint word) { film_words[i] = word; }
 uint load_path(uint i) { return path_words[i]; }
 void store_path(uint i, uint word) { path_words[i] = word; }
 void store_aov(uint i, uint word) { aov_words[i] = word; }
+// Adds to a counter; 0 costs no memory traffic.
 void add_to_counter(uint i, uint amount) {
   if (amount > 0u) atomicAdd(counters[i], amount);
 }

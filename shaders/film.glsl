@@ -67,6 +67,7 @@ void store_wide_sum(IN(uint) first, IN(WideSum) sum) {
   store_film(first + 2u, sum.high);
 }
 
+// The sums of pixel number `pixel` of the band that is bound.
 PixelSum load_pixel_sum(IN(uint) pixel) {
   uint first = pixel * FILM_WORDS;
   return PixelSum(load_wide_sum(first + FILM_RED), load_wide_sum(first + FILM_GREEN), load_wide_sum(first + FILM_BLUE),
@@ -75,6 +76,7 @@ PixelSum load_pixel_sum(IN(uint) pixel) {
                   load_film(first + FILM_TRIANGLES));
 }
 
+// Writes the sums of pixel number `pixel` back.
 void store_pixel_sum(IN(uint) pixel, IN(PixelSum) sum) {
   uint first = pixel * FILM_WORDS;
   store_wide_sum(first + FILM_RED, sum.red);

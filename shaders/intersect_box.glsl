@@ -26,6 +26,7 @@ float bounded_reciprocal(IN(float) d) {
   return uintBitsToFloat(floatBitsToUint(1.0f / size) | sign_bit);
 }
 
+// `ray` prepared for slab tests.
 SlabRay slab_ray(IN(Ray) ray) {
   SlabRay slab;
   slab.origin = ray.origin;

@@ -28,6 +28,7 @@ vec3 permuted(IN(ShearedRay) ray, IN(vec3) v) {
   return ray.flipped ? vec3(w.y, w.x, w.z) : w;
 }
 
+// The frame of `ray`, whose direction is not zero.
 ShearedRay sheared_ray(IN(Ray) ray) {
   vec3 size = abs(ray.direction);
   ShearedRay frame;

@@ -12,6 +12,7 @@ struct LightSample {
   bool directional;
 };
 
+// Light number `index` as it lies in memory.
 DeviceLight fetch_light(IN(uint) index) {
   uvec4 t0 = load_light(index * LIGHT_TEXELS);
   vec4 t1 = float_texel(load_light(index * LIGHT_TEXELS + 1u));
@@ -28,6 +29,7 @@ DeviceLight fetch_light(IN(uint) index) {
   return light;
 }
 
+// `light` seen from `position` (units): with attenuation, cone and range. Black where the light is at the position itself.
 LightSample sample_light(IN(DeviceLight) light, IN(vec3) position) {
   if (light.kind == LIGHT_DIRECTIONAL) return LightSample(-light.direction, light.intensity, -light.direction, true);
   vec3 offset = light.position - position;

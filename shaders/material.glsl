@@ -5,6 +5,7 @@
 #include "rounding.glsl"
 #include "shared/material_layout.h"
 
+// Four words as floats.
 vec4 float_texel(IN(uvec4) words) {
   return vec4(uintBitsToFloat(words.x), uintBitsToFloat(words.y), uintBitsToFloat(words.z), uintBitsToFloat(words.w));
 }
@@ -55,6 +56,7 @@ vec3 fetch_absorption(IN(uint) index) { return first_three(float_texel(load_mate
 
 uint workflow_of(IN(DeviceMaterial) material) { return material.flags & MATERIAL_WORKFLOW_MASK; }
 
+// ALPHA_* of the material.
 uint alpha_mode_of(IN(DeviceMaterial) material) {
   return (material.flags >> MATERIAL_ALPHA_SHIFT) & MATERIAL_ALPHA_MASK;
 }

@@ -91,6 +91,7 @@ PathRay pop_ray(INOUT(Path) path) {
   return restored_ray(stack_slot(path.place, path.waiting), path.place.stride);
 }
 
+// Puts everything but the stack, which is there already, into memory.
 void save_path(IN(Path) path) {
   PathPlace place = path.place;
   store_path(path_word(place, 0u), path.sample_index);
@@ -102,6 +103,7 @@ void save_path(IN(Path) path) {
   save_ray(path_word(place, PATH_HEAD_WORDS), place.stride, path.current);
 }
 
+// The path that was saved at `place`.
 Path restored_path(IN(PathPlace) place) {
   Path path;
   path.place = place;

@@ -16,6 +16,7 @@ struct Transmittance {
   bool finished;  // false: cut off by a loop limit, the value may not be used
 };
 
+// Books a traversal.
 void count_cost(INOUT(RayCounts) counts, IN(TraversalCost) cost) {
   counts.nodes += cost.nodes;
   counts.triangles += cost.triangles;

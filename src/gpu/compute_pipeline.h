@@ -48,6 +48,7 @@ class ComputePipeline {
 class BindingSet {
  public:
   BindingSet() = default;
+  /// Binds `bindings`, whose numbers and uses are those the pipeline was made with.
   BindingSet(const Device& device, const ComputePipeline& pipeline, std::span<const Binding> bindings);
   /// The descriptor set.
   vk::DescriptorSet vk() const { return set_; }

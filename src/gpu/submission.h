@@ -31,6 +31,7 @@ struct SubmissionTime {
 /// `device` outlives it and stays where it is.
 class Submitter {
  public:
+  /// Ready to run on `device`'s queue.
   explicit Submitter(const Device& device);
   Submitter(Submitter&&) = default;
   Submitter& operator=(Submitter&&) = delete;

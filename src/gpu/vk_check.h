@@ -9,6 +9,7 @@
 
 namespace vernier {
 
+/// See gpu/device.h.
 template <typename Call>
 decltype(auto) vk_check(const char* what, Call&& call) {
   try {

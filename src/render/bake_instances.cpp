@@ -33,7 +33,8 @@ VertexLayout choose_layout(const Scene& scene) {
 
 void put(std::uint32_t* vertex, std::uint32_t texel, const glm::vec4& value) {
   if (texel == NONE) return;
-  for (int i = 0; i < 4; ++i) vertex[4 * texel + static_cast<std::uint32_t>(i)] = std::bit_cast<std::uint32_t>(value[i]);
+  for (int i = 0; i < 4; ++i)
+    vertex[4 * texel + static_cast<std::uint32_t>(i)] = std::bit_cast<std::uint32_t>(value[i]);
 }
 
 /// v / |v| in double, rounded; zero stays zero.
@@ -64,7 +65,8 @@ void bake_vertex(const Mesh& mesh, std::size_t i, const DirectionTransform& tran
     put(out, layout.tangent, glm::vec4(0.0f));
   } else {
     const glm::vec4& tangent = mesh.tangents[i];
-    put(out, layout.tangent, glm::vec4(unit(transform.tangent * glm::dvec3(tangent)), tangent.w * transform.handedness));
+    put(out, layout.tangent,
+        glm::vec4(unit(transform.tangent * glm::dvec3(tangent)), tangent.w * transform.handedness));
   }
 }
 

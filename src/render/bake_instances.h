@@ -17,10 +17,10 @@ struct VertexLayout {
 
 /// All instances as one list of triangles in the traced space, in the order of the global triangle numbers.
 struct BakedScene {
-  std::vector<BvhTriangle> corners;          ///< [triangle], id = index
-  std::vector<std::uint32_t> triangles;      ///< [triangle][4]: vertices 0, 1, 2, material
-  std::vector<std::uint32_t> triangle_ids;   ///< [triangle][2]: instance, triangle within the mesh
-  std::vector<std::uint32_t> vertices;       ///< [vertex][layout.texels][4] float bits
+  std::vector<BvhTriangle> corners;         ///< [triangle], id = index
+  std::vector<std::uint32_t> triangles;     ///< [triangle][4]: vertices 0, 1, 2, material
+  std::vector<std::uint32_t> triangle_ids;  ///< [triangle][2]: instance, triangle within the mesh
+  std::vector<std::uint32_t> vertices;      ///< [vertex][layout.texels][4] float bits
   VertexLayout layout;
 };
 

@@ -17,7 +17,7 @@ int rows_per_band(const Device& device, int width) {
 }
 
 std::vector<std::uint32_t> read_bands(const Device& device, const std::vector<Film::Band>& bands, std::size_t row_words,
-                                      int height, Buffer Film::Band::* member) {
+                                      int height, Buffer Film::Band::*member) {
   std::vector<std::uint32_t> words(row_words * static_cast<std::size_t>(height));
   for (const Film::Band& band : bands) {
     const std::span part(words.data() + row_words * static_cast<std::size_t>(band.first_row),

@@ -29,6 +29,7 @@ class Film {
   /// Rows of every band but the last.
   int band_height() const { return band_height_; }
   std::vector<Band>& bands() { return bands_; }
+  /// Device memory in all.
   std::uint64_t size_bytes() const;
 
   /// Words per pixel [height][width][FILM_WORDS] of the sums. Waits for the device.
@@ -53,8 +54,8 @@ struct DevelopedFilm {
   std::uint32_t least_samples = 0;
 };
 
-/// Turns read_sums' words of an area that starts at (area.x, area.y) into values. Sums are exact; the mean is rounded once
-/// to double and once to float.
+/// Turns read_sums' words of an area that starts at (area.x, area.y) into values. Sums are exact; the mean is rounded
+/// once to double and once to float.
 DevelopedFilm develop(const std::vector<std::uint32_t>& sums, const PixelRect& area);
 
 /// The layers named in `aovs` (cli.md's names) from read_aovs' words and the film's costs.

@@ -36,9 +36,9 @@ GpuScene::GpuScene(const Device& device, const PackedScene& packed, SceneLoads l
 }
 
 std::vector<Binding> GpuScene::bindings() const {
-  return {{BINDING_RENDER, &constants_},     {BINDING_RECORDS, &records_},     {BINDING_TRIANGLES, &triangles_},
-          {BINDING_VERTICES, &vertices_},    {BINDING_MATERIALS, &materials_}, {BINDING_LIGHTS, &lights_},
-          {BINDING_TEXTURES, &textures_},    {BINDING_TEXELS, &texels_},       {BINDING_TRIANGLE_IDS, &triangle_ids_}};
+  return {{BINDING_RENDER, &constants_},  {BINDING_RECORDS, &records_},     {BINDING_TRIANGLES, &triangles_},
+          {BINDING_VERTICES, &vertices_}, {BINDING_MATERIALS, &materials_}, {BINDING_LIGHTS, &lights_},
+          {BINDING_TEXTURES, &textures_}, {BINDING_TEXELS, &texels_},       {BINDING_TRIANGLE_IDS, &triangle_ids_}};
 }
 
 std::uint64_t GpuScene::size_bytes() const {
@@ -47,7 +47,8 @@ std::uint64_t GpuScene::size_bytes() const {
   return sum;
 }
 
-void GpuScene::set_constants(const Device& device, const RenderConstants& constants, const SteeringConstants& steering) {
+void GpuScene::set_constants(const Device& device, const RenderConstants& constants,
+                             const SteeringConstants& steering) {
   steering_ = steering;
   constants_.upload(device, std::as_bytes(std::span(&constants, 1)));
 }

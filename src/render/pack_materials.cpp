@@ -24,8 +24,8 @@ DeviceTextureUse device_texture_use(const TextureUse& use) {
 }
 
 std::uint32_t material_flags(const Material& material) {
-  std::uint32_t flags = static_cast<std::uint32_t>(material.workflow) |
-                        static_cast<std::uint32_t>(material.alpha_mode) << MATERIAL_ALPHA_SHIFT;
+  std::uint32_t flags = static_cast<std::uint32_t>(material.workflow) | static_cast<std::uint32_t>(material.alpha_mode)
+                                                                            << MATERIAL_ALPHA_SHIFT;
   if (material.unlit) flags |= MATERIAL_UNLIT;
   if (material.thin_walled) flags |= MATERIAL_THIN_WALLED;
   if (material.fresnel_reflection) flags |= MATERIAL_FRESNEL_REFLECTION;

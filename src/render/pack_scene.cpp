@@ -37,7 +37,8 @@ void set_environment(PackedScene& packed, const Scene& scene) {
   const Environment& environment = scene.environment;
   constants.sky = environment.sky;
   constants.ground = environment.ground;
-  packed.steering.environment_texture = environment.texture < 0 ? NONE : static_cast<std::uint32_t>(environment.texture);
+  packed.steering.environment_texture =
+      environment.texture < 0 ? NONE : static_cast<std::uint32_t>(environment.texture);
   constants.environment_scale = environment.texture_scale;
   const std::array<glm::vec3, 9> harmonics = ambient_harmonics(scene);
   for (std::size_t i = 0; i < harmonics.size(); ++i) constants.ambient_harmonics[i] = harmonics[i];
@@ -68,7 +69,9 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count) {
   BakedScene baked = bake_instances(scene, packed.space);
   packed.bake_ms = milliseconds_since(bake_start);
   const auto build_start = std::chrono::steady_clock::now();
-  const auto not_opaque = [&](std::uint32_t id) { return lets_light_pass(scene.materials[baked.triangles[4 * id + 3]]); };
+  const auto not_opaque = [&](std::uint32_t id) {
+    return lets_light_pass(scene.materials[baked.triangles[4 * id + 3]]);
+  };
   packed.bvh = build_bvh(baked.corners, not_opaque, thread_count);
   packed.bvh_build_ms = milliseconds_since(build_start);
   packed.triangles = std::move(baked.triangles);

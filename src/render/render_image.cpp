@@ -77,13 +77,15 @@ GpuScene upload_scene(const Device& device, const PackedScene& packed, SceneLoad
   return gpu_scene;
 }
 
-RenderResult read_film(const Device& device, const Film& film, const RenderSettings& settings, RenderStatistics statistics) {
+RenderResult read_film(const Device& device, const Film& film, const RenderSettings& settings,
+                       RenderStatistics statistics) {
   const PixelRect& area = film.area();
   DevelopedFilm developed = develop(film.read_sums(device), area);
   statistics.non_finite_pixels = developed.non_finite_pixels;
   statistics.first_non_finite = developed.first_non_finite;
   statistics.samples_done = developed.least_samples;
-  const std::vector<std::uint32_t> aov_words = wants_geometry(settings) ? film.read_aovs(device) : std::vector<std::uint32_t>{};
+  const std::vector<std::uint32_t> aov_words =
+      wants_geometry(settings) ? film.read_aovs(device) : std::vector<std::uint32_t>{};
   std::vector<Layer> layers = aov_layers(settings.aovs, aov_words, developed);
   layers.insert(layers.begin(), Layer{"", {"R", "G", "B", "A"}, std::move(developed.color)});
   return {.image = {.width = area.width,
@@ -99,12 +101,13 @@ RenderResult read_film(const Device& device, const Film& film, const RenderSetti
 
 }  // namespace
 
-RenderResult render_image(const Device& device, const Scene& scene, const Camera& camera, const RenderSettings& settings,
-                          const RenderCallbacks& callbacks) {
+RenderResult render_image(const Device& device, const Scene& scene, const Camera& camera,
+                          const RenderSettings& settings, const RenderCallbacks& callbacks) {
   check_settings(settings);
   const PixelRect area = image_area(settings);
   RenderStatistics statistics;
-  statistics.effects = choose_effects(detect_effects(scene, camera, static_cast<int>(settings.max_bounces)), settings.effects);
+  statistics.effects =
+      choose_effects(detect_effects(scene, camera, static_cast<int>(settings.max_bounces)), settings.effects);
 
   PackedScene packed = pack_scene(scene, 0);
   describe_scene(scene, packed, statistics);

@@ -13,9 +13,9 @@ namespace vernier {
 
 /// How far a render is.
 struct RenderProgress {
-  double share = 0.0;      ///< of the samples, in [0, 1]
+  double share = 0.0;       ///< of the samples, in [0, 1]
   double rays_per_s = 0.0;  ///< since the start
-  double eta_s = 0.0;      ///< what is left at this pace; 0 while unknown
+  double eta_s = 0.0;       ///< what is left at this pace; 0 while unknown
   std::uint64_t rays = 0;
 };
 
@@ -31,11 +31,11 @@ struct RenderResult {
   RenderStatistics statistics;
 };
 
-/// Renders `scene`, which has passed validate_scene, through `camera` on `device`: shaders/README.md, "Image formation".
-/// The image has the same bits for any tile, dispatch_ms, crop and repetition on one device. Pixels with a sample that is
-/// not finite are NaN and counted. Throws Error: usage for settings that make no sense, refused for what the device
-/// cannot hold, device_lost.
-RenderResult render_image(const Device& device, const Scene& scene, const Camera& camera, const RenderSettings& settings,
-                          const RenderCallbacks& callbacks);
+/// Renders `scene`, which has passed validate_scene, through `camera` on `device`: shaders/README.md, "Image
+/// formation". The image has the same bits for any tile, dispatch_ms, crop and repetition on one device. Pixels with a
+/// sample that is not finite are NaN and counted. Throws Error: usage for settings that make no sense, refused for what
+/// the device cannot hold, device_lost.
+RenderResult render_image(const Device& device, const Scene& scene, const Camera& camera,
+                          const RenderSettings& settings, const RenderCallbacks& callbacks);
 
 }  // namespace vernier

@@ -24,19 +24,19 @@ enum class Accuracy { fast, robust, exact };
 struct RenderSettings {
   int width = 1280;
   int height = 720;
-  std::optional<PixelRect> crop;      ///< part of the image; its bits equal the same pixels of the whole
-  std::uint32_t sample_begin = 0;     ///< first sample of every pixel
-  std::uint32_t sample_end = 16;      ///< one past the last
-  std::uint32_t spp = 16;             ///< samples of the whole image: 1 samples the pixel centre
-  std::uint32_t max_bounces = 8;      ///< reflections and refractions one after the other
-  float cutoff = 0.0009765625f;       ///< a ray of a weight below is not traced; 0 cuts only weight 0
+  std::optional<PixelRect> crop;   ///< part of the image; its bits equal the same pixels of the whole
+  std::uint32_t sample_begin = 0;  ///< first sample of every pixel
+  std::uint32_t sample_end = 16;   ///< one past the last
+  std::uint32_t spp = 16;          ///< samples of the whole image: 1 samples the pixel centre
+  std::uint32_t max_bounces = 8;   ///< reflections and refractions one after the other
+  float cutoff = 0.0009765625f;    ///< a ray of a weight below is not traced; 0 cuts only weight 0
   Accuracy accuracy = Accuracy::robust;
   std::string effects = "auto";
-  glm::ivec2 tile = glm::ivec2(0);    ///< pixels; 0: chosen. Never changes a bit
-  double dispatch_ms = 100.0;         ///< time budget of one submission
+  glm::ivec2 tile = glm::ivec2(0);  ///< pixels; 0: chosen. Never changes a bit
+  double dispatch_ms = 100.0;       ///< time budget of one submission
   double time_limit_s = std::numeric_limits<double>::infinity();
   std::uint32_t seed = 0;
-  std::vector<std::string> aovs;      ///< names of cli.md's --aov
+  std::vector<std::string> aovs;  ///< names of cli.md's --aov
 };
 
 }  // namespace vernier

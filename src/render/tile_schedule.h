@@ -17,8 +17,8 @@ struct SamplePass {
   std::uint32_t end = 0;
 };
 
-/// Passes that together take samples [begin, end) of every pixel: 1, 1, 2, 4, ... at most 16 at once, so that a whole image is there
-/// early and after each pass.
+/// Passes that together take samples [begin, end) of every pixel: 1, 1, 2, 4, ... at most 16 at once, so that a whole
+/// image is there early and after each pass.
 std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end);
 
 /// The ray budget of the next dispatch of a tile, from that of the last one and the time it took: so that a dispatch

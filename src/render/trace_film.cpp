@@ -25,7 +25,9 @@ glm::ivec2 chosen_tile(const DeviceDescription& device, const RenderSettings& se
   return settings.tile.x > 0 ? settings.tile : glm::ivec2(device.is_cpu ? kCpuTile : kGpuTile);
 }
 
-std::uint32_t group_count(int pixels) { return static_cast<std::uint32_t>((pixels + kWorkgroup - 1) / kWorkgroup); }
+std::uint32_t group_count(int pixels) {
+  return static_cast<std::uint32_t>((pixels + kWorkgroup - 1) / kWorkgroup);
+}
 
 DispatchConstants tile_constants(const GpuScene& scene, const PixelRect& tile, const PixelRect& area,
                                  const Film::Band& band) {
@@ -90,7 +92,8 @@ class Tracer {
 
   std::vector<PixelRect> tiles() const { return schedule_tiles(film_.area(), tile_, film_.band_height()); }
 
-  /// Takes `pass` of `tile` to its end, in as many dispatches as the time budget asks for. False when `stop` said so before.
+  /// Takes `pass` of `tile` to its end, in as many dispatches as the time budget asks for. False when `stop` said so
+  /// before.
   template <typename Stop>
   bool run_tile(const PixelRect& tile, const SamplePass& pass, const Stop& stop) {
     const auto band_index = static_cast<std::size_t>((tile.y - film_.area().y) / film_.band_height());
@@ -124,8 +127,9 @@ class Tracer {
     statistics_.stack_overflows += counts[COUNTER_STACK_OVERFLOWS];
     ray_budget_ = next_ray_budget(ray_budget_, time.device_ms, wanted_ms_);
     if (counts[COUNTER_UNFINISHED] > 0 && counts[COUNTER_STUCK] == counts[COUNTER_UNFINISHED]) {
-      throw Error(ErrorKind::failed, "a ray in the tile at pixel " + std::to_string(tile.x) + "," + std::to_string(tile.y) +
-                                         " takes more steps than the driver lets a shader take; try fewer lights or --device");
+      throw Error(ErrorKind::failed,
+                  "a ray in the tile at pixel " + std::to_string(tile.x) + "," + std::to_string(tile.y) +
+                      " takes more steps than the driver lets a shader take; try fewer lights or --device");
     }
     return counts[COUNTER_UNFINISHED];
   }
@@ -142,7 +146,9 @@ class Tracer {
   TraceStatistics statistics_;
 };
 
-std::uint64_t total(const RayCounts& rays) { return rays.primary + rays.shadow + rays.reflection + rays.refraction; }
+std::uint64_t total(const RayCounts& rays) {
+  return rays.primary + rays.shadow + rays.reflection + rays.refraction;
+}
 
 RenderProgress progress_at(double share, const RayCounts& rays, double seconds) {
   return {.share = share,
@@ -159,9 +165,7 @@ TraceStatistics trace_film(const Device& device, const GpuScene& scene, SceneLoa
   Tracer tracer(device, scene, loads, specialization, settings, film);
   const auto start = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  const auto stop = [&] {
-    return (callbacks.cancelled && callbacks.cancelled()) || seconds() > settings.time_limit_s;
-  };
+  const auto stop = [&] { return (callbacks.cancelled && callbacks.cancelled()) || seconds() > settings.time_limit_s; };
   const std::vector<PixelRect> tiles = tracer.tiles();
   const std::vector<SamplePass> passes = schedule_passes(settings.sample_begin, settings.sample_end);
   const double sample_count = static_cast<double>(settings.sample_end - settings.sample_begin);
@@ -170,7 +174,8 @@ TraceStatistics trace_film(const Device& device, const GpuScene& scene, SceneLoa
     for (std::size_t t = 0; going && t < tiles.size(); ++t) {
       going = tracer.run_tile(tiles[t], passes[p], stop);
       if (!callbacks.progress) continue;
-      const double pass_share = (passes[p].end - passes[p].begin) * static_cast<double>(t + 1) / static_cast<double>(tiles.size());
+      const double pass_share =
+          (passes[p].end - passes[p].begin) * static_cast<double>(t + 1) / static_cast<double>(tiles.size());
       const double done = (passes[p].begin - settings.sample_begin + pass_share) / sample_count;
       callbacks.progress(progress_at(done, tracer.statistics().rays, seconds()));
     }

@@ -20,9 +20,9 @@ struct TraceStatistics {
   std::uint64_t device_bytes = 0;  ///< of the buffers that tracing alone needs
 };
 
-/// Adds the samples of `settings` to `film`, tile by tile and pass by pass, in dispatches of about settings.dispatch_ms.
-/// Stops between dispatches when cancelled or past the time limit. Throws Error(device_lost), and Error(failed) when a
-/// single ray takes more steps than the driver lets a shader take.
+/// Adds the samples of `settings` to `film`, tile by tile and pass by pass, in dispatches of about
+/// settings.dispatch_ms. Stops between dispatches when cancelled or past the time limit. Throws Error(device_lost), and
+/// Error(failed) when a single ray takes more steps than the driver lets a shader take.
 TraceStatistics trace_film(const Device& device, const GpuScene& scene, SceneLoads loads,
                            const TraceSpecialization& specialization, const RenderSettings& settings,
                            const RenderCallbacks& callbacks, Film& film);

@@ -14,8 +14,11 @@ struct GltfTextureReference {
   const tinygltf::Value* transform = nullptr;
 };
 
+/// Base colour, metallic-roughness or emission.
 GltfTextureReference texture_reference(const tinygltf::TextureInfo& texture);
+/// Normal texture; its scale is the material's.
 GltfTextureReference texture_reference(const tinygltf::NormalTextureInfo& texture);
+/// Occlusion texture; its strength is the material's.
 GltfTextureReference texture_reference(const tinygltf::OcclusionTextureInfo& texture);
 /// The member `name` of an extension's object; none where it is missing. One without a valid index has -2, which is
 /// refused later.

@@ -25,22 +25,23 @@ enum class Workflow : std::uint32_t {
   blinn = WORKFLOW_BLINN                               ///< MTL: the terms of the shading model themselves
 };
 
-/// How alpha is used. mask: a hit with alpha < alpha_cutoff is none. blend: alpha weighs this surface, 1 - alpha what lies behind.
+/// How alpha is used. mask: a hit with alpha < alpha_cutoff is none. blend: alpha weighs this surface, 1 - alpha what
+/// lies behind.
 enum class AlphaMode : std::uint32_t { opaque = ALPHA_OPAQUE, mask = ALPHA_MASK, blend = ALPHA_BLEND };
 
-/// One material. All colours linear Rec.709; factors multiply the texture of their slot; without a texture they stand alone.
-/// What each field does to the picture is defined in shaders/README.md, "Image formation".
+/// One material. All colours linear Rec.709; factors multiply the texture of their slot; without a texture they stand
+/// alone. What each field does to the picture is defined in shaders/README.md, "Image formation".
 struct Material {
   std::string name;
   Workflow workflow = Workflow::metallic_roughness;
   glm::vec4 base_color = glm::vec4(1.0f);  ///< base colour | diffuse | Kd; a: opacity in [0, 1]
   glm::vec3 specular = glm::vec3(1.0f);    ///< KHR_materials_specular colour times factor | specular colour | Ks
-  float specular_strength = 1.0f;          ///< KHR_materials_specular specularFactor: scales F90 of dielectrics; others 1
-  float metallic = 0.0f;                   ///< [0, 1], metallic_roughness only
-  float roughness = 1.0f;                  ///< [0, 1] | 1 - glossiness; unused by blinn
-  float exponent = 0.0f;                   ///< Ns, blinn only, >= 0
-  glm::vec3 reflection = glm::vec3(0.0f);  ///< mirror colour at normal incidence, blinn only
-  glm::vec3 emission = glm::vec3(0.0f);    ///< radiance, cd/m^2; strength multiplied in
+  float specular_strength = 1.0f;  ///< KHR_materials_specular specularFactor: scales F90 of dielectrics; others 1
+  float metallic = 0.0f;           ///< [0, 1], metallic_roughness only
+  float roughness = 1.0f;          ///< [0, 1] | 1 - glossiness; unused by blinn
+  float exponent = 0.0f;           ///< Ns, blinn only, >= 0
+  glm::vec3 reflection = glm::vec3(0.0f);    ///< mirror colour at normal incidence, blinn only
+  glm::vec3 emission = glm::vec3(0.0f);      ///< radiance, cd/m^2; strength multiplied in
   glm::vec3 transmission = glm::vec3(0.0f);  ///< part of the light that goes through: factor (grey) | Tf of glass
   float ior = 1.5f;                          ///< index of refraction inside, > 0
   glm::vec3 absorption = glm::vec3(0.0f);    ///< Beer-Lambert coefficient inside, per metre

@@ -65,7 +65,7 @@ struct Environment {
   glm::vec3 ground = glm::vec3(0.0f);
   int texture = -1;
   glm::vec3 texture_scale = glm::vec3(1.0f);
-  bool has_ambient_override = false;  ///< `ambient` replaces the environment as the source of ambient light
+  bool has_ambient_override = false;    ///< `ambient` replaces the environment as the source of ambient light
   glm::vec3 ambient = glm::vec3(0.0f);  ///< radiance, the same from all directions
 };
 

@@ -14,7 +14,28 @@ using test::Triangles;
 
 constexpr int kRays = 2000;
 
-/// Every triangle in turn with the same test; zero areas never are hit.
+/// The sets scaled as choose_traced_space does: the largest coordinate in (1/2, 1].
+std::vector<test::NamedSet> traced_sets() {
+  std::vector<test::NamedSet> sets = test::all_sets();
+  for (test::NamedSet& set : sets) {
+    // Triangles below an ulp of their distance from the ray degenerate to noise in the ray's frame and may seem hit from
+    // anywhere. The boxes keep such rays off, every triangle in turn does not.
+    if (set.name == "geometric series") set.triangles.resize(16);
+    float largest = 0.0f;
+    for (const BvhTriangle& t : set.triangles) {
+      for (const vec3& v : {t.v0, t.v1, t.v2}) largest = std::max(largest, max3(abs(v)));
+    }
+    const int exponent = -static_cast<int>(std::ceil(std::log2(largest)));
+    for (BvhTriangle& t : set.triangles) {
+      for (vec3* v : {&t.v0, &t.v1, &t.v2}) {
+        for (int axis = 0; axis < 3; ++axis) (*v)[axis] = std::ldexp((*v)[axis], exponent);
+      }
+    }
+  }
+  return sets;
+}
+
+/// Every triangle in turn with the same test.
 Hit brute_force(const Triangles& triangles, const Ray& ray, float t_min, uint after, float t_max) {
   Hit hit = no_hit(t_max);
   const ShearedRay sheared = sheared_ray(ray);
@@ -46,7 +67,7 @@ Ray random_ray(RandomValues& random, const Triangles& triangles, int number) {
 }
 
 TEST(TraverseBvh, finds_what_every_triangle_in_turn_finds) {
-  for (const auto& [name, triangles] : test::all_sets()) {
+  for (const auto& [name, triangles] : traced_sets()) {
     Memory scene = bvh_memory(triangles);
     const BoundMemory bound(scene);
     RandomValues random(25);
@@ -64,7 +85,7 @@ TEST(TraverseBvh, finds_what_every_triangle_in_turn_finds) {
 }
 
 TEST(TraverseBvh, all_hits_come_one_after_the_other) {
-  for (const auto& [name, triangles] : test::all_sets()) {
+  for (const auto& [name, triangles] : traced_sets()) {
     Memory scene = bvh_memory(triangles);
     const BoundMemory bound(scene);
     RandomValues random(26);
@@ -112,7 +133,7 @@ TEST(TraverseBvh, any_hit_is_some_opaque_hit_within_reach) {
 }
 
 TEST(TraverseBvh, both_stacks_take_the_same_steps) {
-  for (const auto& [name, triangles] : test::all_sets()) {
+  for (const auto& [name, triangles] : traced_sets()) {
     Memory scene = bvh_memory(triangles);
     const BoundMemory bound(scene);
     RandomValues random(29);
@@ -129,7 +150,7 @@ TEST(TraverseBvh, both_stacks_take_the_same_steps) {
       ASSERT_EQ(hit[0].t, hit[1].t);
       ASSERT_EQ(cost[0].nodes, cost[1].nodes);
       ASSERT_EQ(cost[0].triangles, cost[1].triangles);
-      ASSERT_GE(cost[0].nodes, 1u);
+      ASSERT_GE(cost[0].nodes, 1u) << name;
     }
     COUNT_COST = false;
     SHIFT_STACK = false;
