@@ -7,6 +7,7 @@ namespace vernier {
 
 TracedSpace choose_traced_space(const WorldBounds& bounds) {
   TracedSpace space;
+  if (!(bounds.lo.x <= bounds.hi.x)) return space;
   double largest = 0.0;
   for (int axis = 0; axis < 3; ++axis) {
     const double lo = bounds.lo[axis];

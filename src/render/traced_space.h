@@ -15,7 +15,7 @@ struct TracedSpace {
 
 /// The traced space of a scene with `bounds`. On an axis along which the scene contains 0 the center stays 0: float
 /// coordinates then survive exactly, with the detail that the author put near the origin; elsewhere it is the middle of
-/// the bounds, rounded to float. A single point gives one metre per unit.
+/// the bounds, rounded to float. A single point gives one metre per unit, as do empty bounds (lo > hi).
 TracedSpace choose_traced_space(const WorldBounds& bounds);
 
 /// `world` (metres) in the traced space, in double.

@@ -10,6 +10,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <ctime>
 #include <fstream>
 #include <limits>
 #include <stdexcept>
@@ -98,11 +99,17 @@ std::vector<RTCRay> primary_rays(const View& view, std::size_t width, std::size_
   return rays;
 }
 
+struct Rate {
+  double per_s;      // of the clock on the wall
+  double per_cpu_s;  // of the CPU seconds of all threads
+};
+
 // Calls trace(i) for all i below `count` on all threads, again and again for `seconds`; returns calls per second.
 template <typename Trace>
-double rate(std::size_t count, unsigned thread_count, double seconds, const Trace& trace) {
+Rate rate(std::size_t count, unsigned thread_count, double seconds, const Trace& trace) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();
+  const std::clock_t cpu_start = std::clock();
   double passed = 0.0;
   std::size_t passes = 0;
   while (passed < seconds) {
@@ -119,7 +126,9 @@ double rate(std::size_t count, unsigned thread_count, double seconds, const Trac
     ++passes;
     passed = std::chrono::duration<double>(Clock::now() - start).count();
   }
-  return static_cast<double>(passes * count) / passed;
+  const double cpu_s = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+  const auto calls = static_cast<double>(passes * count);
+  return {calls / passed, calls / cpu_s};
 }
 
 // Shadow rays from where the primary rays hit a side that faces the light.
@@ -150,7 +159,7 @@ void measure(const std::string& path, std::size_t width, std::size_t height, dou
   const std::vector<RTCRay> primary = primary_rays(view, width, height);
   const std::vector<RTCRay> shadows = shadow_rays(scene, primary, view.light);
   std::atomic<std::size_t> hits = 0, shadowed = 0;
-  const double primary_rate = rate(primary.size(), threads, seconds, [&](std::size_t i) {
+  const Rate primary_rate = rate(primary.size(), threads, seconds, [&](std::size_t i) {
     RTCRayHit hit{primary[i], {}};
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
     RTCIntersectContext context;
@@ -159,7 +168,7 @@ void measure(const std::string& path, std::size_t width, std::size_t height, dou
     rtcIntersect1(scene, &context, &hit);
     if (hit.ray.tfar < 0.0f) ++hits;  // never: keeps the work from being left out
   });
-  const double shadow_rate = rate(shadows.size(), threads, seconds, [&](std::size_t i) {
+  const Rate shadow_rate = rate(shadows.size(), threads, seconds, [&](std::size_t i) {
     RTCRay ray = shadows[i];
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
@@ -170,9 +179,11 @@ void measure(const std::string& path, std::size_t width, std::size_t height, dou
   if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::runtime_error("Embree reports an error");
   const auto p = static_cast<double>(primary.size());
   const auto s = static_cast<double>(shadows.size());
-  std::printf(
-      "{\"primary\": %zu, \"shadow\": %zu, \"primary_per_s\": %.0f, \"shadow_per_s\": %.0f, \"rays_per_s\": %.0f}\n",
-      primary.size(), shadows.size(), primary_rate, shadow_rate, (p + s) / (p / primary_rate + s / shadow_rate));
+  const double seconds_once = p / primary_rate.per_s + s / shadow_rate.per_s;
+  const double cpu_s_once = p / primary_rate.per_cpu_s + s / shadow_rate.per_cpu_s;
+  std::printf("{\"primary\": %zu, \"shadow\": %zu, \"primary_per_s\": %.0f, \"shadow_per_s\": %.0f, ", primary.size(),
+              shadows.size(), primary_rate.per_s, shadow_rate.per_s);
+  std::printf("\"rays_per_s\": %.0f, \"cpu_s\": %.6f}\n", (p + s) / seconds_once, cpu_s_once);
   rtcReleaseScene(scene);
   rtcReleaseDevice(device);
 }

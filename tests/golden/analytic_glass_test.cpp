@@ -1,0 +1,84 @@
+#include <array>
+#include <cmath>
+
+#include "analytic_scene.h"
+
+namespace vernier::golden {
+namespace {
+
+// Unpolarised Fresnel reflectance from outside (Born and Wolf 1999, Principles of Optics, section 1.5.2).
+double fresnel(double cosine, double ior) {
+  const double inside = std::sqrt(1.0 - (1.0 - cosine * cosine) / (ior * ior));
+  const double s = (cosine - ior * inside) / (cosine + ior * inside);
+  const double p = (ior * cosine - inside) / (ior * cosine + inside);
+  return (s * s + p * p) / 2.0;
+}
+
+class Slab : public AnalyticScene {};
+
+// The colour behind the slab tells the place the ray arrives at: red grows with x across a linear ramp. Snell says how
+// far a slab of thickness d moves the ray: d (tan a - tan b), sin b = sin a / n. One transmission path is left by
+// max_bounces = 2: through, through; a reflection inside would need a third bounce.
+TEST_F(Slab, ShiftsTheRayAsSnellSays) {
+  constexpr double kThickness = 0.5, kIor = 1.5, kFar = -2.0, kHalf = 4.0;
+  add_rectangle({-9, -9, -0.25f}, {18, 0, 0}, {0, 18, 0}, glass(kIor));
+  add_rectangle({-9, -9, -0.75f}, {0, 18, 0}, {18, 0, 0}, glass(kIor));
+  Material ramp;
+  ramp.unlit = true;
+  add_rectangle({-kHalf, -9, kFar}, {2 * kHalf, 0, 0}, {0, 18, 0}, ramp);
+  scene_.meshes.back().colors = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 0, 0, 1}, {0, 0, 0, 1}};
+  look_from({0, 0, 0}, 1.5707963267948966);
+  RenderSettings settings;
+  settings.width = 65;
+  settings.height = 1;
+  settings.cutoff = 0.0f;
+  settings.max_bounces = 2;
+  camera_.vertical_fov = 2.0 * std::atan(1.0 / 65.0);  // nx a t = nx
+  const std::vector<float> colors = render(settings);
+  for (int pixel = 0; pixel < settings.width; ++pixel) {
+    const double slope = 2.0 * (pixel + 0.5) / settings.width - 1.0;  // tan a
+    const double sine = slope / std::sqrt(1.0 + slope * slope) / kIor;
+    const double arrival = slope * (-kFar - kThickness) + kThickness * sine / std::sqrt(1.0 - sine * sine);
+    const double through = 1.0 - fresnel(1.0 / std::sqrt(1.0 + slope * slope), kIor);
+    const double expected = through * through * (arrival + kHalf) / (2.0 * kHalf);
+    EXPECT_NEAR(colors[4 * pixel], expected, 2e-6) << "pixel " << pixel;  // 30 roundings of 2^-24 of 1
+  }
+}
+
+class Furnace : public AnalyticScene {
+ protected:
+  void add_cube(const Material& material) {
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::vec3 u(0.0f), v(0.0f), corner(-1.0f);
+      u[(axis + 1) % 3] = v[(axis + 2) % 3] = 2.0f;
+      add_rectangle(corner, v, u, material);
+      corner[axis] = 1.0f;
+      add_rectangle(corner, u, v, material);
+    }
+  }
+};
+
+// Lossless glass in a white world is invisible: what one path loses another brings. What max_bounces cuts is missing,
+// never too much: a path that stays inside keeps at most R of its weight per bounce but where it is totally reflected.
+// The eye looks nearly straight through two parallel faces, where R = 0.04 and depth n leaves R^n.
+TEST_F(Furnace, ClearCubeVanishesInAWhiteWorld) {
+  add_cube(glass(1.5f));
+  scene_.environment.sky = scene_.environment.ground = glm::vec3(1.0f);
+  scene_.environment.has_ambient_override = true;
+  look_from({0.125, 0.0625, 3}, 0.25);
+  RenderSettings settings;
+  settings.width = settings.height = 9;
+  settings.cutoff = 0.0f;
+  for (const std::uint32_t depth : {2u, 3u, 4u, 8u, 12u}) {
+    settings.max_bounces = depth;
+    const std::vector<float> colors = render(settings);
+    for (int pixel = 0; pixel < 81; ++pixel) {
+      const double lost = 1.0 - colors[4 * pixel];
+      EXPECT_LT(lost, 1.05 * std::pow(0.042, depth) + 0x1p-20) << "depth " << depth << ", pixel " << pixel;
+      EXPECT_GT(lost, -0x1p-20) << "depth " << depth << ", pixel " << pixel;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace vernier::golden

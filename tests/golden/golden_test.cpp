@@ -1,0 +1,105 @@
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+
+#include "cli/recipe.h"
+#include "compare_tiers.h"
+#include "device_test.h"
+#include "golden_case.h"
+#include "image/error_colors.h"
+#include "image/flip.h"
+#include "image/read_image.h"
+#include "image/write_image.h"
+#include "render/render_image.h"
+
+namespace vernier::golden {
+namespace {
+
+class Golden : public DeviceTest, public testing::WithParamInterface<GoldenCase> {};
+
+// Renders lie where they can be looked at when the test fails: in the build folder, by driver.
+std::string kept_path(const std::string& file) {
+  const std::filesystem::path folder = std::filesystem::path(VERNIER_GOLDEN_OUTPUT) / expected_device_name();
+  std::filesystem::create_directories(folder);
+  return (folder / file).string();
+}
+
+nlohmann::json json_of(const std::string& path) {
+  return nlohmann::json::parse(std::ifstream(path));
+}
+
+void check_recipe(const GoldenCase& golden) {
+  const nlohmann::json recipe = json_of(golden_path("images/" + golden.name + ".json"));
+  const std::string remedy = golden.name + ": the golden is of another recipe; tools/update_goldens " + golden.name;
+  EXPECT_EQ(recipe.at("scene_sha1"), sha1_of_file(scene_path(golden))) << remedy;
+  EXPECT_EQ(recipe.at("options"), golden.options) << remedy;
+  EXPECT_FALSE(recipe.at("reason").get<std::string>().empty());
+}
+
+bool is_known_failure(const std::string& name, const std::string& driver) {
+  for (const nlohmann::json& entry : json_of(golden_path("known_failures.json")).at("failures")) {
+    if (entry.at("case") == name && entry.at("driver") == driver) {
+      std::cout << "known: " << entry.at("reason") << "\n";
+      return true;
+    }
+  }
+  return false;
+}
+
+void keep_difference(const GoldenCase& golden, const ImageFile& render, const ImageFile& expected) {
+  const std::string render_path = kept_path(golden.name + ".exr");
+  write_image(render_path, render, {});
+  write_image(kept_path(golden.name + ".golden.exr"), expected, {});
+  const FlipError error = flip(color_of(expected), color_of(render));
+  const ImageFile map{.width = error.width,
+                      .height = error.height,
+                      .full_width = error.width,
+                      .full_height = error.height,
+                      .layers = {{"", {"Y"}, error.map}},
+                      .metadata = {}};
+  write_image(kept_path(golden.name + ".flip.exr"), map, {});
+  std::cout << "kept: " << render_path << " with .golden.exr, .flip.exr and .png beside it\n";
+}
+
+TEST_P(Golden, MatchesTheReference) {
+  const GoldenCase& golden = GetParam();
+  check_recipe(golden);
+  CaseSetup setup = set_up_case(golden);
+  setup.settings.aovs = {"object_id", "primitive_id"};
+  const ImageFile render = render_image(device(), setup.scene.scene, setup.scene.camera, setup.settings, {}).image;
+  const ImageFile expected = read_image(golden_path("images/" + golden.name + ".exr"));
+  ASSERT_EQ(render.width, expected.width);
+  ASSERT_EQ(render.height, expected.height);
+  const std::string shown = kept_path(golden.name + ".png");
+  write_image(shown,
+              {.width = render.width,
+               .height = render.height,
+               .full_width = render.width,
+               .full_height = render.height,
+               .layers = {layer_of(render, "")},
+               .metadata = {}},
+              {});
+
+  const ImageFile png = read_image(shown);
+  const Image shown_color{png.width, png.height, static_cast<int>(png.layers.at(0).channels.size()),
+                          std::get<std::vector<float>>(png.layers.at(0).values)};
+  std::string faults;
+  for (const TierResult& result : {compare_hits(render, expected, golden.hits, setup.settings.spp),
+                                   compare_linear(render, expected, golden.linear, golden.hits.rounding_steps),
+                                   compare_display(shown_color, expected, golden.display)}) {
+    std::cout << golden.name << ": " << result.figures << "\n";
+    faults += result.faults;
+  }
+  if (!faults.empty()) keep_difference(golden, render, expected);
+  if (is_known_failure(golden.name, expected_device_name())) {
+    EXPECT_FALSE(faults.empty()) << "a known failure passes: take it from known_failures.json";
+  } else {
+    EXPECT_EQ(faults, "");
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(load_cases()),
+                         [](const auto& each) { return each.param.name; });
+
+}  // namespace
+}  // namespace vernier::golden

@@ -1,0 +1,47 @@
+#include <gtest/gtest.h>
+
+#include "render/trace_pipeline.h"
+#include "shared/effects.h"
+
+namespace vernier {
+namespace {
+
+DeviceDescription llvmpipe() {
+  DeviceDescription device;
+  device.is_llvmpipe = true;
+  return device;
+}
+
+TEST(Specialize, the_path_stack_holds_what_can_wait) {
+  const auto stack = [](std::uint32_t effects, std::uint32_t bounces) {
+    return specialize(effects, 5, bounces, false, {}).path_stack;
+  };
+  constexpr std::uint32_t kBoth = EFFECT_REFLECTION | EFFECT_REFRACTION;
+  EXPECT_EQ(stack(0, 8), 1u);
+  EXPECT_EQ(stack(EFFECT_REFLECTION, 8), 1u);
+  EXPECT_EQ(stack(kBoth, 8), 8u);
+  EXPECT_EQ(stack(EFFECT_REFLECTION | EFFECT_ALPHA_BLEND, 8), 8u);
+  EXPECT_EQ(stack(kBoth | EFFECT_ALPHA_MASK, 8), 16u);
+  EXPECT_EQ(stack(kBoth, 0), 1u);
+  EXPECT_EQ(stack(kBoth, 0xffffffffu), 64u);
+}
+
+TEST(Specialize, the_traversal_stack_is_the_depth) {
+  EXPECT_EQ(specialize(0, 17, 8, false, {}).traversal_stack, 17u);
+  EXPECT_EQ(specialize(0, 0, 8, false, {}).traversal_stack, 1u);
+}
+
+TEST(Specialize, llvmpipe_shifts_shallow_stacks) {
+  EXPECT_FALSE(specialize(0, 10, 8, false, {}).shift_stack);
+  EXPECT_TRUE(specialize(0, 10, 8, false, llvmpipe()).shift_stack);
+  EXPECT_FALSE(specialize(0, 60, 8, false, llvmpipe()).shift_stack);
+}
+
+TEST(Specialize, effects_and_cost_pass_through) {
+  const TraceSpecialization values = specialize(0x1234u, 3, 1, true, {});
+  EXPECT_EQ(values.effects, 0x1234u);
+  EXPECT_TRUE(values.count_cost);
+}
+
+}  // namespace
+}  // namespace vernier

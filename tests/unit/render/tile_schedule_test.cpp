@@ -1,0 +1,85 @@
+#include "render/tile_schedule.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace vernier {
+namespace {
+
+void expect_covered_once(const PixelRect& area, glm::ivec2 tile, int band_height) {
+  std::map<std::pair<int, int>, int> covered;
+  for (const PixelRect& rect : schedule_tiles(area, tile, band_height)) {
+    ASSERT_GT(rect.width, 0);
+    ASSERT_GT(rect.height, 0);
+    ASSERT_LE(rect.width, tile.x);
+    ASSERT_LE(rect.height, tile.y);
+    ASSERT_EQ((rect.y - area.y) / band_height, (rect.y + rect.height - 1 - area.y) / band_height) << "crosses a band";
+    for (int y = rect.y; y < rect.y + rect.height; ++y) {
+      for (int x = rect.x; x < rect.x + rect.width; ++x) ++covered[{x, y}];
+    }
+  }
+  ASSERT_EQ(covered.size(), static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height));
+  for (const auto& [place, times] : covered) {
+    ASSERT_EQ(times, 1);
+    ASSERT_GE(place.first, area.x);
+    ASSERT_LT(place.first, area.x + area.width);
+    ASSERT_GE(place.second, area.y);
+    ASSERT_LT(place.second, area.y + area.height);
+  }
+}
+
+TEST(TileSchedule, covers_every_pixel_once) {
+  expect_covered_once({0, 0, 64, 64}, {64, 64}, 64);
+  expect_covered_once({0, 0, 65, 63}, {64, 64}, 1000);
+  expect_covered_once({5, 9, 37, 41}, {8, 16}, 10);
+  expect_covered_once({5, 9, 1, 1}, {8, 16}, 10);
+  expect_covered_once({3, 0, 20, 30}, {1, 7}, 1);
+}
+
+TEST(TileSchedule, goes_row_by_row) {
+  const std::vector<PixelRect> tiles = schedule_tiles({10, 20, 12, 12}, {8, 8}, 100);
+  ASSERT_EQ(tiles.size(), 4u);
+  EXPECT_EQ(tiles[1].x, 18);
+  EXPECT_EQ(tiles[1].y, 20);
+  EXPECT_EQ(tiles[2].x, 10);
+  EXPECT_EQ(tiles[2].y, 28);
+}
+
+TEST(TileSchedule, an_empty_area_has_no_tiles) {
+  EXPECT_TRUE(schedule_tiles({0, 0, 0, 5}, {8, 8}, 8).empty());
+  EXPECT_TRUE(schedule_tiles({0, 0, 5, 0}, {8, 8}, 8).empty());
+}
+
+TEST(SamplePasses, follow_one_another_and_grow_to_sixteen) {
+  for (const auto& [begin, end] : std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 1}, {0, 100}, {7, 9}, {5, 1000}}) {
+    std::uint32_t next = begin;
+    std::uint32_t length = 0;
+    for (const SamplePass& pass : schedule_passes(begin, end)) {
+      EXPECT_EQ(pass.begin, next);
+      EXPECT_GT(pass.end, pass.begin);
+      EXPECT_LE(pass.end - pass.begin, 16u);
+      EXPECT_TRUE(pass.end == end || pass.end - pass.begin >= length);
+      length = pass.end - pass.begin;
+      next = pass.end;
+    }
+    EXPECT_EQ(next, end);
+  }
+  EXPECT_TRUE(schedule_passes(4, 4).empty());
+  EXPECT_EQ(schedule_passes(0, 16).size(), 5u);  // 1, 1, 2, 4, 8
+}
+
+TEST(RayBudget, aims_at_the_time_wanted) {
+  EXPECT_EQ(next_ray_budget(100, 10.0, 5.0), 50u);
+  EXPECT_EQ(next_ray_budget(100, 10.0, 15.0), 150u);
+  EXPECT_EQ(next_ray_budget(100, 10.0, 1000.0), 200u);
+  EXPECT_EQ(next_ray_budget(100, 0.0, 100.0), 200u);
+}
+
+TEST(RayBudget, stays_in_its_bounds) {
+  EXPECT_EQ(next_ray_budget(1, 1e6, 1e-3), 1u);
+  EXPECT_EQ(next_ray_budget(1u << 20, 0.0, 100.0), 1u << 20);
+}
+
+}  // namespace
+}  // namespace vernier
