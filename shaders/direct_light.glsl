@@ -23,7 +23,8 @@ Transmittance direct_light(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(
   Transmittance sum = Transmittance(vec3(0.0f), true);
   uint light_count = steering_constants().light_count;
   uint index = 0u;
-  for (; index < light_count; index++) {
+  // The second condition lets no compiler take `index >= light_count` for true behind the loop (traverse_bvh.glsl).
+  for (; index < light_count && index < TRAVERSAL_STEP_LIMIT; index++) {
     LightSample light = sample_light(fetch_light(index), surface.position);
     float cosine = dot_product(surface.normal, light.direction);
     bool lit = wanted && cosine > 0.0f && dot_product(surface.geometric_normal, light.direction) > 0.0f && max3(light.irradiance) > 0.0f;

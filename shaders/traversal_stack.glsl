@@ -1,28 +1,51 @@
-// The stack of a traversal: groups of siblings still to be visited (traverse_bvh.glsl). Its size is the BVH's depth, so it
-// cannot overflow: at most one group waits per level.
+// The stack of a traversal: groups of siblings still to be visited (traverse_bvh.glsl). At most one group waits per level of
+// the BVH, and the stack has as many entries as the BVH has levels: it cannot overflow.
 #ifndef VERNIER_TRAVERSAL_STACK_GLSL
 #define VERNIER_TRAVERSAL_STACK_GLSL
 
 #include "shared/glsl.h"
+#include "shared/specialization_ids.h"
 
 THREAD_PRIVATE uint traversal_groups[TRAVERSAL_STACK_SIZE];
 
-// llvmpipe spends 90 ns on a store to an indexed array under a mask, 4 on shifting eight registers: there the top is
-// always entry 0 and a push or pop moves them all (constant indices after unrolling).
+// The same as plain variables, the top always in g0: a push or pop moves them all. llvmpipe spends 90 ns on a store to an
+// indexed array under a mask and 4 on moving eight variables; an array that is shifted by a loop it keeps in memory.
+THREAD_PRIVATE uint g0, g1, g2, g3, g4, g5, g6, g7, g8, g9, g10, g11, g12, g13, g14, g15, g16, g17, g18, g19, g20, g21, g22,
+    g23;
+
+// Entry i exists only in a stack of more than i.
+#define MOVE_ENTRY(i, to, from) \
+  if (TRAVERSAL_STACK_SIZE > uint(i)) to = from;
+#define SHIFT_UP                                                                                          \
+  MOVE_ENTRY(23, g23, g22) MOVE_ENTRY(22, g22, g21) MOVE_ENTRY(21, g21, g20) MOVE_ENTRY(20, g20, g19)                   \
+  MOVE_ENTRY(19, g19, g18) MOVE_ENTRY(18, g18, g17) MOVE_ENTRY(17, g17, g16) MOVE_ENTRY(16, g16, g15)                   \
+  MOVE_ENTRY(15, g15, g14) MOVE_ENTRY(14, g14, g13) MOVE_ENTRY(13, g13, g12) MOVE_ENTRY(12, g12, g11)                   \
+  MOVE_ENTRY(11, g11, g10) MOVE_ENTRY(10, g10, g9) MOVE_ENTRY(9, g9, g8) MOVE_ENTRY(8, g8, g7) MOVE_ENTRY(7, g7, g6)     \
+  MOVE_ENTRY(6, g6, g5) MOVE_ENTRY(5, g5, g4) MOVE_ENTRY(4, g4, g3) MOVE_ENTRY(3, g3, g2) MOVE_ENTRY(2, g2, g1)          \
+  MOVE_ENTRY(1, g1, g0)
+#define SHIFT_DOWN                                                                                            \
+  MOVE_ENTRY(1, g0, g1) MOVE_ENTRY(2, g1, g2) MOVE_ENTRY(3, g2, g3) MOVE_ENTRY(4, g3, g4) MOVE_ENTRY(5, g4, g5)          \
+  MOVE_ENTRY(6, g5, g6) MOVE_ENTRY(7, g6, g7) MOVE_ENTRY(8, g7, g8) MOVE_ENTRY(9, g8, g9) MOVE_ENTRY(10, g9, g10)        \
+  MOVE_ENTRY(11, g10, g11) MOVE_ENTRY(12, g11, g12) MOVE_ENTRY(13, g12, g13) MOVE_ENTRY(14, g13, g14)                   \
+  MOVE_ENTRY(15, g14, g15) MOVE_ENTRY(16, g15, g16) MOVE_ENTRY(17, g16, g17) MOVE_ENTRY(18, g17, g18)                   \
+  MOVE_ENTRY(19, g18, g19) MOVE_ENTRY(20, g19, g20) MOVE_ENTRY(21, g20, g21) MOVE_ENTRY(22, g21, g22)                   \
+  MOVE_ENTRY(23, g22, g23)
+
+// Adds `group` on top of `count` entries.
 void push_group(IN(uint) count, IN(uint) group) {
   if (SHIFT_STACK) {
-    for (uint i = TRAVERSAL_STACK_SIZE - 1u; i > 0u; i--) traversal_groups[i] = traversal_groups[i - 1u];
-    traversal_groups[0] = group;
+    SHIFT_UP
+    g0 = group;
   } else {
     traversal_groups[count] = group;
   }
 }
 
-// `count` is the number of entries without the one that is taken.
+// Takes the top entry off; `count` is the number of entries without it.
 uint pop_group(IN(uint) count) {
   if (!SHIFT_STACK) return traversal_groups[count];
-  uint group = traversal_groups[0];
-  for (uint i = 1u; i < TRAVERSAL_STACK_SIZE; i++) traversal_groups[i - 1u] = traversal_groups[i];
+  uint group = g0;
+  SHIFT_DOWN
   return group;
 }
 

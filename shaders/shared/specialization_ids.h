@@ -8,4 +8,7 @@
 #define SPECIALIZATION_PATH_STACK 3       // rays of the ray tree that can wait
 #define SPECIALIZATION_COUNT_COST 4       // count node visits and triangle tests per pixel
 
+// Entries that the shifted stack has at most (traversal_stack.glsl).
+#define SHIFT_STACK_MAX_SIZE 24u
+
 #endif

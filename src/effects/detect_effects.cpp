@@ -138,7 +138,8 @@ void detect_bounces(EffectSet& effects, const SeenMaterial& seen, int max_bounce
 
 void detect_texture_format(EffectSet& effects, const Scene& scene, int texture) {
   const auto index = static_cast<std::size_t>(texture);
-  if (scene.textures[index].texels->format == TEXTURE_FORMAT_FLOAT) {
+  const Texels* texels = scene.textures[index].texels.get();
+  if (texels != nullptr && texels->format == TEXTURE_FORMAT_FLOAT) {
     switch_on(effects, EFFECT_FLOAT_TEXTURES, label_of("texture", index, scene.textures[index].name));
   }
 }

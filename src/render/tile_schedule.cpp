@@ -29,16 +29,15 @@ std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end) 
   for (std::uint32_t next = begin; next < end;) {
     const std::uint32_t pass_end = next + std::min(length, end - next);
     passes.push_back({next, pass_end});
-    length = std::min(passes.size() == 1 ? 1u : 2 * length, kMostSamplesPerPass);
+    length = std::min(4 * length, kMostSamplesPerPass);
     next = pass_end;
   }
   return passes;
 }
 
-std::uint32_t next_ray_budget(std::uint32_t last_budget, double last_ms, double wanted_ms) {
-  const double scale = last_ms > 0.0 ? std::min(wanted_ms / last_ms, 2.0) : 2.0;
-  const double budget = std::clamp(last_budget * scale, 1.0, static_cast<double>(kLargestRayBudget));
-  return static_cast<std::uint32_t>(budget);
+std::uint32_t choose_ray_budget(double wanted_ms, double ms_per_ray, std::uint32_t live_pixels) {
+  const double budget = wanted_ms / (ms_per_ray * std::max(live_pixels, 1u));
+  return static_cast<std::uint32_t>(std::clamp(budget, 1.0, static_cast<double>(kLargestRayBudget)));
 }
 
 }  // namespace vernier

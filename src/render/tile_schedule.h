@@ -17,12 +17,12 @@ struct SamplePass {
   std::uint32_t end = 0;
 };
 
-/// Passes that together take samples [begin, end) of every pixel: 1, 1, 2, 4, ... at most 16 at once, so that a whole
+/// Passes that together take samples [begin, end) of every pixel: 1, 4, then 16 at once, so that a whole
 /// image is there early and after each pass.
 std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end);
 
-/// The ray budget of the next dispatch of a tile, from that of the last one and the time it took: so that a dispatch
-/// takes `wanted_ms`. It at most doubles from one to the next, and stays in [1, 2^20].
-std::uint32_t next_ray_budget(std::uint32_t last_budget, double last_ms, double wanted_ms);
+/// How many rays each of `live_pixels` pixels may follow in the next dispatch, so that it takes about `wanted_ms` at
+/// `ms_per_ray` (both above 0): at least 1, at most 2^20.
+std::uint32_t choose_ray_budget(double wanted_ms, double ms_per_ray, std::uint32_t live_pixels);
 
 }  // namespace vernier

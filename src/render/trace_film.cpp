@@ -18,8 +18,9 @@ using Clock = std::chrono::steady_clock;
 constexpr int kCpuTile = 64;
 constexpr int kGpuTile = 256;
 constexpr int kWorkgroup = 8;
-/// Rays that the first dispatch gives each pixel, before any time is known.
-constexpr std::uint32_t kFirstRayBudget = 4;
+/// Taken for the time of a ray until a dispatch of at least kTrustedRays has been timed: a slow CPU.
+constexpr double kFirstMsPerRay = 1e-3;
+constexpr std::uint32_t kTrustedRays = 1024;
 
 glm::ivec2 chosen_tile(const DeviceDescription& device, const RenderSettings& settings) {
   return settings.tile.x > 0 ? settings.tile : glm::ivec2(device.is_cpu ? kCpuTile : kGpuTile);
@@ -100,14 +101,15 @@ class Tracer {
     DispatchConstants constants = tile_constants(scene_, tile, film_.area(), film_.bands()[band_index]);
     constants.sample_begin = pass.begin;
     constants.sample_end = pass.end;
-    while (true) {
+    auto live_pixels = static_cast<std::uint32_t>(tile.width * tile.height);
+    while (live_pixels > 0) {
       if (stop()) return false;
-      constants.ray_budget = ray_budget_;
+      constants.ray_budget = choose_ray_budget(wanted_ms_, ms_per_ray_, live_pixels);
       set_dispatch(dispatch_, constants);
-      const std::uint32_t unfinished = run(tile_dispatch(pipeline_, bindings_[band_index], tile), tile);
-      if (unfinished == 0) return true;
+      live_pixels = run(tile_dispatch(pipeline_, bindings_[band_index], tile), tile);
       constants.resume = 1;
     }
+    return true;
   }
 
   const TraceStatistics& statistics() const { return statistics_; }
@@ -125,7 +127,8 @@ class Tracer {
     statistics_.rays.reflection += counts[COUNTER_REFLECTION];
     statistics_.rays.refraction += counts[COUNTER_REFRACTION];
     statistics_.stack_overflows += counts[COUNTER_STACK_OVERFLOWS];
-    ray_budget_ = next_ray_budget(ray_budget_, time.device_ms, wanted_ms_);
+    const std::uint32_t traced = counts[COUNTER_PRIMARY] + counts[COUNTER_REFLECTION] + counts[COUNTER_REFRACTION];
+    if (traced >= kTrustedRays) ms_per_ray_ = time.device_ms / traced;
     if (counts[COUNTER_UNFINISHED] > 0 && counts[COUNTER_STUCK] == counts[COUNTER_UNFINISHED]) {
       throw Error(ErrorKind::failed,
                   "a ray in the tile at pixel " + std::to_string(tile.x) + "," + std::to_string(tile.y) +
@@ -142,7 +145,7 @@ class Tracer {
   Buffer counters_, paths_, no_aovs_, dispatch_;
   ComputePipeline pipeline_;
   std::vector<BindingSet> bindings_;
-  std::uint32_t ray_budget_ = kFirstRayBudget;
+  double ms_per_ray_ = kFirstMsPerRay;  ///< shadow rays included
   TraceStatistics statistics_;
 };
 

@@ -15,8 +15,6 @@ namespace {
 
 /// More waiting rays than that cost registers and memory in every lane; with the default cutoff weights die first.
 constexpr std::uint32_t kLargestPathStack = 64;
-/// Shifting beats an indexed array on llvmpipe up to about that depth.
-constexpr std::uint32_t kDeepestShiftStack = 24;
 
 }  // namespace
 
@@ -30,7 +28,7 @@ TraceSpecialization specialize(std::uint32_t effects, std::uint32_t bvh_depth, s
   TraceSpecialization values;
   values.effects = effects;
   values.traversal_stack = std::max(bvh_depth, 1u);
-  values.shift_stack = device.is_llvmpipe && bvh_depth <= kDeepestShiftStack;
+  values.shift_stack = device.is_llvmpipe && bvh_depth <= SHIFT_STACK_MAX_SIZE;
   values.path_stack = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(waiting, 1, kLargestPathStack));
   values.count_cost = count_cost;
   return values;

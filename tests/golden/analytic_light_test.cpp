@@ -17,7 +17,10 @@ TEST_F(PlaneUnderALamp, IsAsBrightAsTheClosedForm) {
   const glm::dvec3 lamp(0.5, 0.25, 1.5);
   const glm::dvec3 intensity(3.0, 5.0, 7.0), diffuse(0.75, 0.5, 0.25);
   add_rectangle({-8, -8, 0}, {16, 0, 0}, {0, 16, 0}, matte(glm::vec3(diffuse)));
-  scene_.lights.push_back({.position = lamp, .intensity = glm::vec3(intensity)});
+  Light light;
+  light.position = lamp;
+  light.intensity = glm::vec3(intensity);
+  scene_.lights.push_back(light);
   look_from({0, 0, 2}, kPi / 2.0);
   RenderSettings settings;
   settings.width = settings.height = kSize;

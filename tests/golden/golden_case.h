@@ -65,6 +65,14 @@ std::string golden_path(const std::string& file);
 /// Reads the options as the command line does and loads the scene. Throws what these throw.
 CaseSetup set_up_case(const GoldenCase& golden);
 
+/// What known_failures.json says of `check` (A, B, C, or one of invariance_test.cpp) in the case `name`: the reason why
+/// it fails as yet, empty where it must pass.
+std::string known_failure(const std::string& name, const std::string& check);
+
+/// `fault` of a check, empty for none, as a test must see it: empty where the check did what is expected of it. A known
+/// failure that passes is a fault too, so that the list cannot outlive what it lists.
+std::string unexpected(const std::string& name, const std::string& check, const std::string& fault);
+
 /// GoogleTest's name of a case.
 void PrintTo(const GoldenCase& golden, std::ostream* out);
 

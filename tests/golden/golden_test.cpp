@@ -1,3 +1,4 @@
+#include <array>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
@@ -34,16 +35,6 @@ void check_recipe(const GoldenCase& golden) {
   EXPECT_EQ(recipe.at("scene_sha1"), sha1_of_file(scene_path(golden))) << remedy;
   EXPECT_EQ(recipe.at("options"), golden.options) << remedy;
   EXPECT_FALSE(recipe.at("reason").get<std::string>().empty());
-}
-
-bool is_known_failure(const std::string& name, const std::string& driver) {
-  for (const nlohmann::json& entry : json_of(golden_path("known_failures.json")).at("failures")) {
-    if (entry.at("case") == name && entry.at("driver") == driver) {
-      std::cout << "known: " << entry.at("reason") << "\n";
-      return true;
-    }
-  }
-  return false;
 }
 
 void keep_difference(const GoldenCase& golden, const ImageFile& render, const ImageFile& expected) {
@@ -83,19 +74,17 @@ TEST_P(Golden, MatchesTheReference) {
   const ImageFile png = read_image(shown);
   const Image shown_color{png.width, png.height, static_cast<int>(png.layers.at(0).channels.size()),
                           std::get<std::vector<float>>(png.layers.at(0).values)};
-  std::string faults;
-  for (const TierResult& result : {compare_hits(render, expected, golden.hits, setup.settings.spp),
-                                   compare_linear(render, expected, golden.linear, golden.hits.rounding_steps),
-                                   compare_display(shown_color, expected, golden.display)}) {
-    std::cout << golden.name << ": " << result.figures << "\n";
-    faults += result.faults;
+  const std::array<TierResult, 3> tiers = {compare_hits(render, expected, golden.hits, setup.settings.spp),
+                                           compare_linear(render, expected, golden.linear, golden.hits.rounding_steps),
+                                           compare_display(shown_color, expected, golden.display)};
+  std::string faults, surprises;
+  for (std::size_t i = 0; i < tiers.size(); ++i) {
+    std::cout << golden.name << ": " << tiers[i].figures << "\n";
+    faults += tiers[i].faults;
+    surprises += unexpected(golden.name, std::string(1, "ABC"[i]), tiers[i].faults);
   }
   if (!faults.empty()) keep_difference(golden, render, expected);
-  if (is_known_failure(golden.name, expected_device_name())) {
-    EXPECT_FALSE(faults.empty()) << "a known failure passes: take it from known_failures.json";
-  } else {
-    EXPECT_EQ(faults, "");
-  }
+  EXPECT_EQ(surprises, "");
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(load_cases()),

@@ -29,11 +29,17 @@ class Invariance : public DeviceTest, public testing::WithParamInterface<GoldenC
     return std::get<std::vector<float>>(result.image.layers.at(0).values);
   }
 
+  // Records what `check` found; known failures are expected to fail.
+  void judge(const char* check, const std::string& fault) const {
+    EXPECT_EQ(unexpected(GetParam().name, check, fault), "");
+  }
+
   // Bits, since NaN is not equal to itself and -0 is equal to 0.
-  void expect_whole(const RenderSettings& settings, const char* what) const {
+  void expect_whole(const RenderSettings& settings, const char* check) const {
     const std::vector<float> other = colors(settings);
     ASSERT_EQ(other.size(), whole_.size());
-    EXPECT_EQ(std::memcmp(other.data(), whole_.data(), whole_.size() * sizeof(float)), 0) << what;
+    const bool same = std::memcmp(other.data(), whole_.data(), whole_.size() * sizeof(float)) == 0;
+    judge(check, same ? "" : "other bits");
   }
 
   void expect_crop(const PixelRect& crop) const {
@@ -41,10 +47,14 @@ class Invariance : public DeviceTest, public testing::WithParamInterface<GoldenC
     settings.crop = crop;
     const std::vector<float> part = colors(settings);
     const std::size_t row_size = 4u * static_cast<std::size_t>(crop.width);
+    ASSERT_EQ(part.size(), row_size * static_cast<std::size_t>(crop.height));
+    std::string fault;
     for (int y = 0; y < crop.height; ++y) {
       const float* row = whole_.data() + 4 * (static_cast<std::size_t>(crop.y + y) * kWidth + crop.x);
-      EXPECT_EQ(std::memcmp(part.data() + y * row_size, row, row_size * sizeof(float)), 0) << "crop, row " << y;
+      const bool same = std::memcmp(part.data() + y * row_size, row, row_size * sizeof(float)) == 0;
+      if (!same) fault += "row " + std::to_string(y) + " ";
     }
+    judge("crop", fault);
   }
 
   // The sums are exact, so two halves differ from the whole by their own rounding to float and the division alone:
@@ -65,18 +75,20 @@ class Invariance : public DeviceTest, public testing::WithParamInterface<GoldenC
 
 TEST_P(Invariance, HoldsForEveryWayToMakeTheImage) {
   const RenderSettings& chosen = setup_.settings;
-  expect_whole(chosen, "a second run");
+  expect_whole(chosen, "second run");
   RenderSettings other = chosen;
   other.tile = {8, 8};
   other.dispatch_ms = 5.0;
-  expect_whole(other, "--tile 8x8 --dispatch-ms 5");
+  expect_whole(other, "small tiles");
   other.tile = {64, 64};
   other.dispatch_ms = 500.0;
-  expect_whole(other, "--tile 64x64 --dispatch-ms 500");
+  expect_whole(other, "large tiles");
   other = chosen;
   other.tile = {kWidth, kHeight};
+  expect_whole(other, "one tile");
+  other = chosen;
   other.effects = "all";
-  expect_whole(other, "one tile, --effects all");
+  expect_whole(other, "all effects");
   expect_crop({13, 7, 41, 22});
   expect_halves();
 }

@@ -1,13 +1,12 @@
 #include "rounding_distance.h"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "reference/baked_triangles.h"
 #include "reference/camera_rays.h"
+#include "reference/parallel_rows.h"
 #include "reference/pixel_samples.h"
-#include "reference/primary_samples.h"
 
 namespace vernier::golden {
 namespace {
@@ -16,36 +15,29 @@ using reference::Ray;
 using reference::Triangle;
 
 constexpr double kHalfUlp = 0x1p-24;
-// primary_samples does not look for near misses beyond.
-constexpr double kOracleReach = 1e-4;
 
-// Smallest height of `triangle` as seen along `direction`, metres.
-double seen_height(const Triangle& triangle, const glm::dvec3& direction) {
-  const auto& [a, b, c] = triangle.corners;
-  const double longest = std::max({glm::length(b - a), glm::length(c - b), glm::length(a - c)});
-  const double area_twice = glm::length(glm::cross(b - a, c - a));
-  return area_twice / longest * std::abs(glm::dot(triangle.normal, direction));
+// Steps between `ray` and the edge from `a` to `b` at their closest approach.
+double steps_between(const Ray& ray, const glm::dvec3& a, const glm::dvec3& b, double largest_coordinate) {
+  // Seen along the ray, the edge is a plane segment; the origin is the ray.
+  const glm::dvec3 from = a - ray.origin, edge = b - a;
+  const glm::dvec3 across = edge - ray.direction * glm::dot(edge, ray.direction);
+  const glm::dvec3 offset = from - ray.direction * glm::dot(from, ray.direction);
+  const double length_squared = glm::dot(across, across);
+  const double s = length_squared > 0.0 ? std::clamp(-glm::dot(offset, across) / length_squared, 0.0, 1.0) : 0.0;
+  const double t = glm::dot(from + s * edge, ray.direction);
+  if (t < 0.0) return std::numeric_limits<double>::max();
+  return glm::length(offset + s * across) / (kHalfUlp * (t + largest_coordinate));
 }
 
-double rounding_step(const Triangle& triangle, const Ray& ray, double largest_coordinate) {
-  const double t =
-      glm::dot(triangle.corners[0] - ray.origin, triangle.normal) / glm::dot(ray.direction, triangle.normal);
-  return kHalfUlp * (t + largest_coordinate) / seen_height(triangle, ray.direction);
-}
-
-std::vector<double> coarsest_of_neighbours(const std::vector<double>& steps, int width, int height) {
-  std::vector<double> coarsest(steps.size(), 0.0);
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      double& result = coarsest[static_cast<std::size_t>(y) * width + x];
-      for (int v = std::max(y - 1, 0); v <= std::min(y + 1, height - 1); ++v) {
-        for (int u = std::max(x - 1, 0); u <= std::min(x + 1, width - 1); ++u) {
-          result = std::max(result, steps[static_cast<std::size_t>(v) * width + u]);
-        }
-      }
+double steps_to_nearest(const Ray& ray, const std::vector<Triangle>& triangles, double largest_coordinate) {
+  double nearest = std::numeric_limits<float>::max();
+  for (const Triangle& triangle : triangles) {
+    for (int i = 0; i < 3; ++i) {
+      nearest =
+          std::min(nearest, steps_between(ray, triangle.corners[i], triangle.corners[(i + 1) % 3], largest_coordinate));
     }
   }
-  return coarsest;
+  return nearest;
 }
 
 }  // namespace
@@ -56,31 +48,22 @@ std::vector<float> steps_to_edge(const CaseSetup& setup, std::uint32_t spp) {
   settings.height = setup.settings.height;
   settings.spp = spp;
   settings.seed = setup.settings.seed;
-  const PrimarySamples samples = primary_samples(setup.scene.scene, setup.scene.camera, settings, {});
   const reference::BakedTriangles baked = reference::bake_triangles(setup.scene.scene);
-  const glm::dvec3 eye = glm::abs(glm::dvec3(setup.scene.camera.world_from_camera[3]));
+  const Camera& camera = setup.scene.camera;
+  const glm::dvec3 eye = glm::abs(glm::dvec3(camera.world_from_camera[3]));
   const double largest = std::max({baked.largest_coordinate, eye.x, eye.y, eye.z});
-
-  const std::size_t pixel_count = static_cast<std::size_t>(settings.width) * settings.height;
-  std::vector<double> steps(pixel_count, 0.0);
-  std::vector<float> result(pixel_count, std::numeric_limits<float>::max());
-  const auto nearest_edge = [&](std::size_t pixel) {
-    const auto first = samples.edge_distances.begin() + static_cast<std::ptrdiff_t>(pixel * spp);
-    return std::min<double>(*std::min_element(first, first + spp), kOracleReach);
+  std::vector<float> result(static_cast<std::size_t>(settings.width) * settings.height);
+  const auto measure_row = [&](int y) {
+    for (int x = 0; x < settings.width; ++x) {
+      double nearest = std::numeric_limits<float>::max();
+      for (std::uint32_t sample = 0; sample < spp; ++sample) {
+        const Ray ray = reference::sample_ray(camera, settings, x, y, sample);
+        nearest = std::min(nearest, steps_to_nearest(ray, baked.triangles, largest));
+      }
+      result[static_cast<std::size_t>(y) * settings.width + x] = static_cast<float>(nearest);
+    }
   };
-  for (std::size_t i = 0; i < pixel_count * spp; ++i) {
-    if (samples.triangle_ids[i] >= baked.triangles.size()) continue;
-    const std::size_t pixel = i / spp;
-    const Ray ray =
-        reference::sample_ray(setup.scene.camera, settings, static_cast<int>(pixel % settings.width),
-                              static_cast<int>(pixel / settings.width), static_cast<std::uint32_t>(i % spp));
-    const Triangle& triangle = baked.triangles[samples.triangle_ids[i]];
-    steps[pixel] = std::max(steps[pixel], rounding_step(triangle, ray, largest));
-  }
-  const std::vector<double> coarsest = coarsest_of_neighbours(steps, settings.width, settings.height);
-  for (std::size_t pixel = 0; pixel < pixel_count; ++pixel) {
-    if (coarsest[pixel] > 0.0) result[pixel] = static_cast<float>(nearest_edge(pixel) / coarsest[pixel]);
-  }
+  reference::for_each_row(settings.height, settings.thread_count, measure_row, {});
   return result;
 }
 

@@ -6,17 +6,16 @@
 
 namespace vernier::golden {
 
-/// How many steps of float rounding the primary rays of a pixel keep from an edge that could change their hit,
-/// [height][width]: the smallest over the `spp` samples (1: the pixel centre). 0 where rounding is so coarse
-/// that the oracle's reach of 1e-4 barycentrics does not cover it.
+/// How many steps of float rounding the primary rays of a pixel keep from the nearest edge of any triangle,
+/// [height][width]: the smallest over the `spp` samples (1: the pixel centre); the largest float without edges.
 ///
-/// A step is 2^-24 D / s in barycentric coordinates. Float moves the ray, at the depth of the hit, sideways by a few
-/// 2^-24 of the numbers it is made of: direction times distance t, and the subtraction of the origin from coordinates
-/// of up to L metres; D = t + L. A sideways shift d moves a barycentric coordinate by at most d / s, s the triangle's
-/// smallest height times the cosine at which the ray meets it. A near miss does not say which triangle was missed, so
-/// the coarsest step among the pixel and its eight neighbours counts.
-/// The number of steps themselves: 3 roundings for each of the direction's components and its normalisation, 2 for the
+/// A step is 2^-24 (t + L): float moves a ray, at distance t from its origin, sideways by a few 2^-24 of the numbers
+/// its place is made of: direction times t, and coordinates of up to L metres. The hit can change only where an edge
+/// passes the ray, at its closest approach, by less than that shift. Edges behind the hit count too: they cost a few
+/// pixels and keep the measure independent of the order of hits.
+/// The number of steps: 3 roundings for each of the direction's components and its normalisation, 2 for the
 /// translated corner, 2 for the shear and 3 for the edge function, 10 in all; 16 leaves room for the final division.
+/// Not covered: surfaces that cross each other nearer to the ray than the shift.
 std::vector<float> steps_to_edge(const CaseSetup& setup, std::uint32_t spp);
 
 }  // namespace vernier::golden

@@ -133,7 +133,9 @@ TEST(TraverseBvh, any_hit_is_some_opaque_hit_within_reach) {
 }
 
 TEST(TraverseBvh, both_stacks_take_the_same_steps) {
+  int compared = 0;
   for (const auto& [name, triangles] : traced_sets()) {
+    if (build_bvh(triangles, {}, 1).depth > SHIFT_STACK_MAX_SIZE) continue;  // the host takes the array there (specialize)
     Memory scene = bvh_memory(triangles);
     const BoundMemory bound(scene);
     RandomValues random(29);
@@ -154,7 +156,9 @@ TEST(TraverseBvh, both_stacks_take_the_same_steps) {
     }
     COUNT_COST = false;
     SHIFT_STACK = false;
+    ++compared;
   }
+  EXPECT_GE(compared, 5);
 }
 
 TEST(TraverseBvh, rays_that_are_none_end_at_once) {

@@ -11,7 +11,8 @@ namespace vernier {
 namespace {
 
 /// Film words of one pixel with sums of `low`, `middle`, `high` in red.
-std::vector<std::uint32_t> red_pixel(std::uint32_t low, std::uint32_t middle, std::uint32_t high, std::uint32_t samples) {
+std::vector<std::uint32_t> red_pixel(std::uint32_t low, std::uint32_t middle, std::uint32_t high,
+                                     std::uint32_t samples) {
   std::vector<std::uint32_t> words(FILM_WORDS);
   words[FILM_RED] = low;
   words[FILM_RED + 1] = middle;
@@ -20,7 +21,9 @@ std::vector<std::uint32_t> red_pixel(std::uint32_t low, std::uint32_t middle, st
   return words;
 }
 
-float red_of(const std::vector<std::uint32_t>& words) { return develop(words, {0, 0, 1, 1}).color[0]; }
+float red_of(const std::vector<std::uint32_t>& words) {
+  return develop(words, {0, 0, 1, 1}).color[0];
+}
 
 TEST(Develop, the_mean_of_fixed_point_sums) {
   EXPECT_EQ(red_of(red_pixel(0, 1u << 12, 0, 1)), 1.0f);

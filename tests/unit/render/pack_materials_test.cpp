@@ -59,8 +59,9 @@ TEST(PackMaterials, flags_by_bit) {
   material.alpha_mode = AlphaMode::blend;
   EXPECT_EQ(device_material(material, 1.0).flags, WORKFLOW_BLINN | ALPHA_BLEND << MATERIAL_ALPHA_SHIFT);
   material.unlit = material.thin_walled = material.fresnel_reflection = true;
-  EXPECT_EQ(device_material(material, 1.0).flags, WORKFLOW_BLINN | ALPHA_BLEND << MATERIAL_ALPHA_SHIFT | MATERIAL_UNLIT |
-                                                      MATERIAL_THIN_WALLED | MATERIAL_FRESNEL_REFLECTION);
+  EXPECT_EQ(device_material(material, 1.0).flags, WORKFLOW_BLINN | ALPHA_BLEND << MATERIAL_ALPHA_SHIFT |
+                                                      MATERIAL_UNLIT | MATERIAL_THIN_WALLED |
+                                                      MATERIAL_FRESNEL_REFLECTION);
 }
 
 TEST(PackMaterials, unlit_lets_no_light_through) {
@@ -107,8 +108,8 @@ TEST(PackTextures, shared_texels_lie_there_once_after_the_srgb_curve) {
   EXPECT_EQ(packed.texels[SRGB_CURVE_WORDS + 1], 12u);
   EXPECT_EQ(packed.texels[SRGB_CURVE_WORDS + 2], 21u);
   const std::uint32_t linear = TEXTURE_FORMAT_LINEAR8 | TEXTURE_FILTER_LINEAR << TEXTURE_FILTER_SHIFT;
-  const std::uint32_t nearest = TEXTURE_FORMAT_LINEAR8 | TEXTURE_WRAP_CLAMP << TEXTURE_WRAP_U_SHIFT |
-                                TEXTURE_WRAP_MIRROR << TEXTURE_WRAP_V_SHIFT;
+  const std::uint32_t nearest =
+      TEXTURE_FORMAT_LINEAR8 | TEXTURE_WRAP_CLAMP << TEXTURE_WRAP_U_SHIFT | TEXTURE_WRAP_MIRROR << TEXTURE_WRAP_V_SHIFT;
   EXPECT_EQ(packed.textures, (std::vector<std::uint32_t>{2, 1, 256, linear, 1, 3, 258, linear, 2, 1, 256, nearest}));
 }
 

@@ -52,7 +52,8 @@ TEST(TileSchedule, an_empty_area_has_no_tiles) {
 }
 
 TEST(SamplePasses, follow_one_another_and_grow_to_sixteen) {
-  for (const auto& [begin, end] : std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 1}, {0, 100}, {7, 9}, {5, 1000}}) {
+  for (const auto& [begin, end] :
+       std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 1}, {0, 100}, {7, 9}, {5, 1000}}) {
     std::uint32_t next = begin;
     std::uint32_t length = 0;
     for (const SamplePass& pass : schedule_passes(begin, end)) {
@@ -66,19 +67,18 @@ TEST(SamplePasses, follow_one_another_and_grow_to_sixteen) {
     EXPECT_EQ(next, end);
   }
   EXPECT_TRUE(schedule_passes(4, 4).empty());
-  EXPECT_EQ(schedule_passes(0, 16).size(), 5u);  // 1, 1, 2, 4, 8
+  EXPECT_EQ(schedule_passes(0, 16).size(), 3u);  // 1, 4, 11
 }
 
-TEST(RayBudget, aims_at_the_time_wanted) {
-  EXPECT_EQ(next_ray_budget(100, 10.0, 5.0), 50u);
-  EXPECT_EQ(next_ray_budget(100, 10.0, 15.0), 150u);
-  EXPECT_EQ(next_ray_budget(100, 10.0, 1000.0), 200u);
-  EXPECT_EQ(next_ray_budget(100, 0.0, 100.0), 200u);
+TEST(RayBudget, spreads_the_time_wanted_over_the_pixels) {
+  EXPECT_EQ(choose_ray_budget(100.0, 0.5, 1), 200u);
+  EXPECT_EQ(choose_ray_budget(100.0, 0.5, 20), 10u);
+  EXPECT_EQ(choose_ray_budget(100.0, 0.5, 0), 200u);
 }
 
 TEST(RayBudget, stays_in_its_bounds) {
-  EXPECT_EQ(next_ray_budget(1, 1e6, 1e-3), 1u);
-  EXPECT_EQ(next_ray_budget(1u << 20, 0.0, 100.0), 1u << 20);
+  EXPECT_EQ(choose_ray_budget(1e-3, 1.0, 4096), 1u);
+  EXPECT_EQ(choose_ray_budget(1e9, 1e-6, 1), 1u << 20);
 }
 
 }  // namespace
