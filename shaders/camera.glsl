@@ -7,13 +7,16 @@
 // The ray through (x, y) in pixels of the full image, (0, 0) its upper left corner. Its direction is unit.
 Ray camera_ray(IN(vec2) pixel) {
   RenderConstants constants = render_constants();
-  float nx = 2.0f * pixel.x / float(constants.image_width) - 1.0f;
-  float ny = 1.0f - 2.0f * pixel.y / float(constants.image_height);
-  vec3 offset = constants.camera_right * nx + constants.camera_up * ny;
+  // precise: with or without the parallel branch the same bits.
+  precise float nx = 2.0f * pixel.x / float(constants.image_width) - 1.0f;
+  precise float ny = 1.0f - 2.0f * pixel.y / float(constants.image_height);
+  precise vec3 offset = constants.camera_right * nx + constants.camera_up * ny;
   if (effect_on(EFFECT_ORTHOGRAPHIC) && steering_constants().orthographic != 0u) {
-    return Ray(constants.camera_origin + offset, constants.camera_forward);
+    precise vec3 origin = constants.camera_origin + offset;
+    return Ray(origin, constants.camera_forward);
   }
-  return Ray(constants.camera_origin, unit_vector(offset + constants.camera_forward));
+  precise vec3 direction = offset + constants.camera_forward;
+  return Ray(constants.camera_origin, unit_vector(direction));
 }
 
 #endif

@@ -1,6 +1,7 @@
 // Every field of the structs that host and device share, for struct_layout.comp and struct_layout_test.cpp alike:
 // VEC(f) and NUMBER(f) and WORD(f) write a vector of three floats, a float and a uint.
 // No include guard: it stands inside a function, once each.
+// clang-format off
 
 VEC(render.camera_origin) WORD(render.image_width)
 VEC(render.camera_right) WORD(render.image_height)

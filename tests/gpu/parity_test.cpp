@@ -1,4 +1,6 @@
 // The shipped functions on the device against the same text compiled as C++.
+#include "spirv/parity.h"
+
 #include <array>
 #include <bit>
 #include <cstdlib>
@@ -8,7 +10,6 @@
 #include "gpu/submission.h"
 #include "shader/random_values.h"
 #include "shader/shader.h"
-#include "spirv/parity.h"
 
 namespace vernier::shader {
 namespace {
@@ -17,16 +18,29 @@ constexpr std::size_t kOperands = 16;
 constexpr std::size_t kAnswers = 18;
 constexpr std::size_t kRows = 64 * 512;
 
-enum Answer { kFirstInteger = 0, kIntersects = 5, kT, kB1, kB2, kUnit, kDot = 12, kReflected, kTransmitted, kRefracted, kHighlight, kSchlick };
+enum Answer {
+  kFirstInteger = 0,
+  kIntersects = 5,
+  kT,
+  kB1,
+  kB2,
+  kUnit,
+  kDot = 12,
+  kReflected,
+  kTransmitted,
+  kRefracted,
+  kHighlight,
+  kSchlick
+};
 
 std::vector<float> random_operands() {
   RandomValues random(50);
   std::vector<float> operands;
   for (std::size_t row = 0; row < kRows; ++row) {
     for (int i = 0; i < 12; ++i) operands.push_back(random.in(-1, 1));
-    operands.push_back(random.in(0, 1));              // x: a cosine, and where the ray is aimed at
-    operands.push_back(random.in(0.4, 2.5));          // y: an index ratio
-    operands.push_back(random.power_of_ten(-3, 6));   // z: an exponent, a scale, a radiance
+    operands.push_back(random.in(0, 1));             // x: a cosine, and where the ray is aimed at
+    operands.push_back(random.in(0.4, 2.5));         // y: an index ratio
+    operands.push_back(random.power_of_ten(-3, 6));  // z: an exponent, a scale, a radiance
     operands.push_back(std::bit_cast<float>(random.word() & 0x7f7fffffu));  // a word that is a finite float
   }
   return operands;
@@ -90,7 +104,9 @@ TEST_F(ParityTest, integer_functions_are_the_same) {
   for (int answer = kFirstInteger; answer < kIntersects; ++answer) EXPECT_EQ(different(answer), 0) << answer;
 }
 
-TEST_F(ParityTest, hits_are_the_same) { EXPECT_EQ(different(kIntersects), 0); }
+TEST_F(ParityTest, hits_are_the_same) {
+  EXPECT_EQ(different(kIntersects), 0);
+}
 
 TEST_F(ParityTest, precise_floats_are_the_same_bits) {
   // Both drivers divide and take roots as IEEE 754 says; what `precise` keeps in order has one result then.

@@ -1,3 +1,5 @@
+#include "spirv/struct_layout.h"
+
 #include <array>
 #include <bit>
 #include <cstring>
@@ -10,7 +12,6 @@
 #include "gpu/submission.h"
 #include "shared/material_layout.h"
 #include "shared/render_constants.h"
-#include "spirv/struct_layout.h"
 
 namespace vernier {
 namespace {

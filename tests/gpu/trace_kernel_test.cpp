@@ -2,8 +2,8 @@
 #include <cmath>
 
 #include "device_test.h"
-#include "traced_film.h"
 #include "shader/trace_on_cpu.h"
+#include "traced_film.h"
 
 namespace vernier {
 namespace {
@@ -48,7 +48,6 @@ TEST_F(TraceKernelTest, effects_that_nothing_asks_for_change_no_bit) {
 }
 
 TEST_F(TraceKernelTest, texel_and_storage_loads_give_the_same_bits) {
-  if (!device().description().is_llvmpipe) return;  // SwiftShader's texel buffers hold 65536 elements only
   const RenderSettings settings = test::small_image(32, 32, 4);
   const std::uint32_t detected = detect_effects(scene_, camera_, 8).bits;
   EXPECT_EQ(film(settings, detected, SceneLoads::texels), film(settings, detected, SceneLoads::storage));
@@ -78,7 +77,8 @@ TEST_F(TraceKernelTest, a_crop_has_the_bits_of_the_whole) {
   ASSERT_EQ(part.size(), std::size_t{19 * 10 * FILM_WORDS});
   for (std::size_t y = 0; y < 10; ++y) {
     const auto row = whole.begin() + static_cast<std::ptrdiff_t>(((y + 7) * 40 + 11) * FILM_WORDS);
-    ASSERT_TRUE(std::equal(row, row + 19 * FILM_WORDS, part.begin() + static_cast<std::ptrdiff_t>(y * 19 * FILM_WORDS)));
+    ASSERT_TRUE(
+        std::equal(row, row + 19 * FILM_WORDS, part.begin() + static_cast<std::ptrdiff_t>(y * 19 * FILM_WORDS)));
   }
 }
 

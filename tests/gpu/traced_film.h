@@ -7,8 +7,8 @@
 namespace vernier {
 
 /// Film words of `packed` on `device`, through the renderer's own loop.
-inline std::vector<std::uint32_t> traced_film(const Device& device, const PackedScene& packed, const RenderSettings& settings,
-                                              SceneLoads loads, std::uint32_t effects) {
+inline std::vector<std::uint32_t> traced_film(const Device& device, const PackedScene& packed,
+                                              const RenderSettings& settings, SceneLoads loads, std::uint32_t effects) {
   GpuScene scene(device, packed, loads);
   scene.set_constants(device, packed.constants, packed.steering);
   const TraceSpecialization specialization =

@@ -10,11 +10,17 @@ namespace {
 
 using Extended = glm::tvec3<long double, glm::highp>;
 
-long double dot(const Extended& a, const Extended& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+long double dot(const Extended& a, const Extended& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
 
-Extended unit(const Extended& v) { return v / std::sqrt(dot(v, v)); }
+Extended unit(const Extended& v) {
+  return v / std::sqrt(dot(v, v));
+}
 
-Extended extended(const vec3& v) { return {v.x, v.y, v.z}; }
+Extended extended(const vec3& v) {
+  return {v.x, v.y, v.z};
+}
 
 /// (N.H)^e, H halfway between the two vectors as they are.
 double exact_highlight(const vec3& normal, const Extended& half, long double exponent) {

@@ -54,8 +54,9 @@ TEST(Environment, the_gradient_runs_from_ground_to_sky) {
 /// An environment image of 4 x 2 texels: red counts the columns, green the rows, from 1; times a scale.
 Memory image_environment() {
   Memory scene;
-  scene.textures = {glm::uvec4(4, 2, 0, TEXTURE_FORMAT_FLOAT | TEXTURE_WRAP_CLAMP << TEXTURE_WRAP_V_SHIFT |
-                                            TEXTURE_FILTER_NEAREST << TEXTURE_FILTER_SHIFT)};
+  scene.textures = {glm::uvec4(4, 2, 0,
+                               TEXTURE_FORMAT_FLOAT | TEXTURE_WRAP_CLAMP << TEXTURE_WRAP_V_SHIFT |
+                                   TEXTURE_FILTER_NEAREST << TEXTURE_FILTER_SHIFT)};
   for (std::uint32_t row = 0; row < 2; ++row) {
     for (std::uint32_t column = 0; column < 4; ++column) {
       for (float value : {column + 1.0f, row + 1.0f, 0.0f, 1.0f}) scene.texels.push_back(glm::floatBitsToUint(value));
@@ -88,7 +89,8 @@ TEST(Environment, an_image_switched_off_is_the_gradient) {
 
 /// Cosine-weighted mean of sky and ground mixed by height, by quadrature over the hemisphere around n.
 double gradient_mean(const glm::dvec3& n, double sky, double ground) {
-  const glm::dvec3 side = glm::normalize(glm::cross(n, std::abs(n.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
+  const glm::dvec3 side =
+      glm::normalize(glm::cross(n, std::abs(n.x) < 0.5 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0)));
   const glm::dvec3 other = glm::cross(n, side);
   double sum = 0;
   constexpr int kSteps = 200;
@@ -96,7 +98,8 @@ double gradient_mean(const glm::dvec3& n, double sky, double ground) {
     for (int k = 0; k < kSteps; ++k) {
       const double squared = (i + 0.5) / kSteps;  // of the radius in the disc: equal shares of the cosine
       const double angle = 2 * std::numbers::pi * (k + 0.5) / kSteps;
-      const glm::dvec3 d = n * std::sqrt(1 - squared) + (side * std::cos(angle) + other * std::sin(angle)) * std::sqrt(squared);
+      const glm::dvec3 d =
+          n * std::sqrt(1 - squared) + (side * std::cos(angle) + other * std::sin(angle)) * std::sqrt(squared);
       sum += ground + (sky - ground) * (1 + d.y) / 2;
     }
   }
@@ -121,9 +124,8 @@ TEST(Environment, ambient_light_is_the_mean_around_the_normal) {
 
 TEST(Environment, every_harmonic_stands_for_its_polynomial) {
   const vec3 n(0.6f, 0.64f, 0.48f);
-  const std::array<float, 9> values = {1,         n.y,       n.z,
-                                       n.x,       n.x * n.y, n.y * n.z,
-                                       3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
+  const std::array<float, 9> values = {
+      1, n.y, n.z, n.x, n.x * n.y, n.y * n.z, 3 * n.z * n.z - 1, n.x * n.z, n.x * n.x - n.y * n.y};
   for (std::size_t i = 0; i < 9; ++i) {
     Memory shading;
     shading.render.ambient_harmonics[i] = vec3(2, -2, 0);

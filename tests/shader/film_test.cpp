@@ -12,7 +12,9 @@ namespace {
 
 using Wide = unsigned __int128;
 
-Wide whole(const WideSum& sum) { return (Wide(sum.high) << 64) | (Wide(sum.middle) << 32) | sum.low; }
+Wide whole(const WideSum& sum) {
+  return (Wide(sum.high) << 64) | (Wide(sum.middle) << 32) | sum.low;
+}
 
 /// The sum of `values` in the order given.
 Wide summed(const std::vector<float>& values) {

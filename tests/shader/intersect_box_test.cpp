@@ -52,7 +52,8 @@ Interval exact_interval(const Node& node, int child, const Ray& ray, double t_mi
   Interval inside = {t_min, t_max};
   for (int axis = 0; axis < 3; ++axis) {
     const double cell = std::ldexp(1.0, static_cast<int>(node.exponents[axis]) - 127);
-    const double lo = node.origin[axis] + node.lo[child][axis] * cell, hi = node.origin[axis] + node.hi[child][axis] * cell;
+    const double lo = node.origin[axis] + node.lo[child][axis] * cell,
+                 hi = node.origin[axis] + node.hi[child][axis] * cell;
     const double o = ray.origin[axis], d = ray.direction[axis];
     if (d == 0) {
       if (o < lo || o > hi) return {1, 0};

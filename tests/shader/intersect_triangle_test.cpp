@@ -54,9 +54,9 @@ TEST(IntersectTriangle, misses_leave_the_hit_alone) {
   const float nan = std::numeric_limits<float>::quiet_NaN();
   const float infinity = std::numeric_limits<float>::infinity();
   EXPECT_EQ(hit_of(Ray(vec3(0.75f, 0.5f, 2), vec3(0, 0, -1)), kUnit).triangle, NONE);
-  EXPECT_EQ(hit_of(Ray(vec3(0.25f, 0.5f, 2), vec3(0, 0, 1)), kUnit).triangle, NONE);   // behind
-  EXPECT_EQ(hit_of(Ray(vec3(-1, 0.5f, 0), vec3(1, 0, 0)), kUnit).triangle, NONE);      // edge on
-  EXPECT_EQ(hit_of(kDown, {{0, 0, 0}, {1, 1, 0}, {2, 2, 0}}).triangle, NONE);          // no area
+  EXPECT_EQ(hit_of(Ray(vec3(0.25f, 0.5f, 2), vec3(0, 0, 1)), kUnit).triangle, NONE);  // behind
+  EXPECT_EQ(hit_of(Ray(vec3(-1, 0.5f, 0), vec3(1, 0, 0)), kUnit).triangle, NONE);     // edge on
+  EXPECT_EQ(hit_of(kDown, {{0, 0, 0}, {1, 1, 0}, {2, 2, 0}}).triangle, NONE);         // no area
   EXPECT_EQ(hit_of(kDown, {{nan, 0, 0}, {1, 0, 0}, {0, 1, 0}}).triangle, NONE);
   EXPECT_EQ(hit_of(Ray(vec3(nan, 0.5f, 2), vec3(0, 0, -1)), kUnit).triangle, NONE);
   EXPECT_EQ(hit_of(Ray(vec3(0.25f, 0.5f, infinity), vec3(0, 0, -1)), kUnit).triangle, NONE);

@@ -35,7 +35,8 @@ TEST(Path, comes_back_as_it_was_saved_among_others) {
   Memory scene = path_memory(kInvocations, 2);
   const BoundMemory bound(scene);
   for (uint i = 0; i < kInvocations; ++i) {
-    Path path(PathPlace(i, kInvocations), 70u + i, i % 2 == 0, vec3(1, 2, 3) * float(i), 0u, numbered_ray(100.0f * float(i)));
+    Path path(PathPlace(i, kInvocations), 70u + i, i % 2 == 0, vec3(1, 2, 3) * float(i), 0u,
+              numbered_ray(100.0f * float(i)));
     RayCounts counts{};
     push_ray(path, counts, numbered_ray(1000.0f + 100.0f * float(i)));
     push_ray(path, counts, numbered_ray(2000.0f + 100.0f * float(i)));

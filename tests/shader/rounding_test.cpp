@@ -32,7 +32,8 @@ TEST(Rounding, unit_vector_of_any_finite_length) {
     // Down to the smallest normal and up to the largest float.
     const vec3 v = random.direction() * random.power_of_ten(-36, 38);
     const glm::dvec3 exact = glm::normalize(glm::dvec3(v));
-    // Roundings: three squares, two sums, root and reciprocal (each at most 1/2 ulp here) and the product: below 4 ulp of 1.
+    // Roundings: three squares, two sums, root and reciprocal (each at most 1/2 ulp here) and the product: below 4 ulp
+    // of 1.
     ASSERT_LT(glm::length(glm::dvec3(unit_vector(v)) - exact), 4 * 0x1p-24) << v.x << ' ' << v.y << ' ' << v.z;
   }
 }

@@ -35,7 +35,8 @@ TEST(SamplePattern, the_hash_is_one_to_one_and_known) {
 }
 
 TEST(SamplePattern, scrambling_keeps_the_structure_of_the_high_bits) {
-  // Owen scrambling permutes each half within its half, and so on: the first k bits of the result depend on the first k alone.
+  // Owen scrambling permutes each half within its half, and so on: the first k bits of the result depend on the first k
+  // alone.
   for (std::uint32_t key : {0u, 1u, 0xdeadbeefu}) {
     for (std::uint32_t bits = 1; bits < 12; ++bits) {
       std::set<std::uint32_t> heads;

@@ -56,30 +56,70 @@ constexpr uint TRAVERSAL_STACK_SIZE = 64u;
 bool SHIFT_STACK = false;
 uint PATH_STACK_SIZE = 18u;
 bool COUNT_COST = false;
-bool effect_on(uint effect) { return (EFFECTS & effect) != 0u; }
+bool effect_on(uint effect) {
+  return (EFFECTS & effect) != 0u;
+}
 
-RenderConstants render_constants() { return memory->render; }
-DispatchConstants dispatch_constants() { return memory->dispatch; }
-SteeringConstants steering_constants() { return memory->dispatch.steering; }
-bool scene_has_triangles() { return memory->dispatch.steering.triangle_count > 0u; }
-uvec4 load_record(uint i) { return memory->records.at(i); }
-uvec4 load_triangle(uint i) { return memory->triangles.at(i); }
-uvec4 load_vertex(uint i) { return memory->vertices.at(i); }
-uvec4 load_material(uint i) { return memory->materials.at(i); }
-uvec4 load_light(uint i) { return memory->lights.at(i); }
-uvec4 load_texture(uint i) { return memory->textures.at(i); }
-uint load_texel(uint i) { return memory->texels.at(i); }
-uint load_triangle_id(uint i) { return memory->triangle_ids.at(i); }
-uint load_film(uint i) { return memory->film.at(i); }
-void store_film(uint i, uint word) { memory->film.at(i) = word; }
-uint load_path(uint i) { return memory->paths.at(i); }
-void store_path(uint i, uint word) { memory->paths.at(i) = word; }
-void store_aov(uint i, uint word) { memory->aovs.at(i) = word; }
-void add_to_counter(uint i, uint amount) { memory->counters.at(i) += amount; }
+RenderConstants render_constants() {
+  return memory->render;
+}
+DispatchConstants dispatch_constants() {
+  return memory->dispatch;
+}
+SteeringConstants steering_constants() {
+  return memory->dispatch.steering;
+}
+bool scene_has_triangles() {
+  return memory->dispatch.steering.triangle_count > 0u;
+}
+uvec4 load_record(uint i) {
+  return memory->records.at(i);
+}
+uvec4 load_triangle(uint i) {
+  return memory->triangles.at(i);
+}
+uvec4 load_vertex(uint i) {
+  return memory->vertices.at(i);
+}
+uvec4 load_material(uint i) {
+  return memory->materials.at(i);
+}
+uvec4 load_light(uint i) {
+  return memory->lights.at(i);
+}
+uvec4 load_texture(uint i) {
+  return memory->textures.at(i);
+}
+uint load_texel(uint i) {
+  return memory->texels.at(i);
+}
+uint load_triangle_id(uint i) {
+  return memory->triangle_ids.at(i);
+}
+uint load_film(uint i) {
+  return memory->film.at(i);
+}
+void store_film(uint i, uint word) {
+  memory->film.at(i) = word;
+}
+uint load_path(uint i) {
+  return memory->paths.at(i);
+}
+void store_path(uint i, uint word) {
+  memory->paths.at(i) = word;
+}
+void store_aov(uint i, uint word) {
+  memory->aovs.at(i) = word;
+}
+void add_to_counter(uint i, uint amount) {
+  memory->counters.at(i) += amount;
+}
 
+// The entry points include the stack first as well: the traversal calls it.
 #include "traversal_stack.glsl"
-#include "trace_pixel.glsl"
+// Separate blocks keep their order.
 #include "primary.glsl"
+#include "trace_pixel.glsl"
 
 }  // namespace
 }  // namespace vernier::shader

@@ -11,7 +11,8 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 
 void expect_near(const vec3& value, const vec3& expected, float tolerance = 1e-6f) {
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(value[i], expected[i], tolerance * std::max(1.0f, std::abs(expected[i]))) << i;
+  for (int i = 0; i < 3; ++i)
+    EXPECT_NEAR(value[i], expected[i], tolerance * std::max(1.0f, std::abs(expected[i]))) << i;
 }
 
 ShadingTerms terms_of(const Material& material, const SlotTexels& texels = no_slot_texels(), vec3 color = vec3(1)) {

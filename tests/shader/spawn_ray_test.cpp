@@ -50,14 +50,17 @@ int self_hits(int count, double lo, double hi, float distance, std::uint32_t see
     // Half of the rays leave at grazing angles.
     if (i % 2 == 0) {
       const vec3 normal = spot.surface.geometric_normal;
-      direction = unit_vector(direction - normal * (dot_product(direction, normal) * (1.0f - random.power_of_ten(-7, 0))));
+      direction =
+          unit_vector(direction - normal * (dot_product(direction, normal) * (1.0f - random.power_of_ten(-7, 0))));
     }
     found += hits_itself(spot, direction) ? 1 : 0;
   }
   return found;
 }
 
-TEST(SpawnRay, no_triangle_of_any_size_is_hit_from_its_own_surface) { EXPECT_EQ(self_hits(1000000, -8, 8, 1.0f, 33), 0); }
+TEST(SpawnRay, no_triangle_of_any_size_is_hit_from_its_own_surface) {
+  EXPECT_EQ(self_hits(1000000, -8, 8, 1.0f, 33), 0);
+}
 TEST(SpawnRay, nor_far_from_the_origin) {
   EXPECT_EQ(self_hits(300000, -3, 0, 1e3f, 34), 0);
   EXPECT_EQ(self_hits(300000, -5, 0, 1e5f, 35), 0);

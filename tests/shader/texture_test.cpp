@@ -60,7 +60,8 @@ TEST(Texture, linear_agrees_with_double) {
       const vec2 uv(random.in(-4, 4), random.in(-4, 4));
       const glm::dvec2 exact = exact_linear(uv, 5, 3, wrap);
       const vec4 texel = sample_texture(0u, uv);
-      // The wrapped coordinate is off by at most 2^-23 (mirror: by 2^-22), times five texels and the four between wraps.
+      // The wrapped coordinate is off by at most 2^-23 (mirror: by 2^-22), times five texels and the four between
+      // wraps.
       ASSERT_NEAR(texel.x, exact.x, 2e-5) << wrap << ' ' << uv.x;
       ASSERT_NEAR(texel.y, exact.y, 2e-5) << wrap << ' ' << uv.y;
       ASSERT_NEAR(texel.w, 1.0f, 1e-6);
@@ -86,7 +87,8 @@ TEST(Texture, nearest_reads_the_texel_the_coordinate_lies_in) {
 
 TEST(Texture, hard_coordinates_stay_inside) {
   // Out of range would throw. -1e-10 wraps to 1 exactly; from 2^24 on a float has no fraction left.
-  const float hard[] = {-1e-10f, -0.0f, 1.0f, 1.0f - 0x1p-24f, -1.0f, 1e7f, -1e7f, 16777217.0f, 1e30f, -1e30f, 2.0f, -1e-45f};
+  const float hard[] = {-1e-10f, -0.0f,       1.0f,  1.0f - 0x1p-24f, -1.0f, 1e7f,
+                        -1e7f,   16777217.0f, 1e30f, -1e30f,          2.0f,  -1e-45f};
   for (std::uint32_t wrap : kWraps) {
     for (std::uint32_t filter : {TEXTURE_FILTER_NEAREST, TEXTURE_FILTER_LINEAR}) {
       for (const glm::ivec2& size : {glm::ivec2(1, 1), glm::ivec2(4096, 1), glm::ivec2(3, 7)}) {

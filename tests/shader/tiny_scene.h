@@ -22,8 +22,8 @@ inline Camera camera_at(double z, double degrees = 40.0) {
   return camera;
 }
 
-/// A tinted glass box with absorption, a mirror, a textured wall, a cut-out, a clear pane and three lights: every effect
-/// but the environment image and the orthographic camera.
+/// A tinted glass box with absorption, a mirror, a textured wall, a cut-out, a clear pane and three lights: every
+/// effect but the environment image and the orthographic camera.
 inline Scene tiny_scene() {
   Scene scene;
   Material& wall = add_black(scene);
@@ -34,7 +34,8 @@ inline Scene tiny_scene() {
   wall.emission = glm::vec3(0.05f);
   Sampler nearest;
   nearest.filter = TEXTURE_FILTER_NEAREST;
-  const int checker = add_texture(scene, linear_texels(2, 2, {0xffffffff, 0x40404040, 0x30303030, 0xffc0e0ff}), nearest);
+  const int checker =
+      add_texture(scene, linear_texels(2, 2, {0xffffffff, 0x40404040, 0x30303030, 0xffc0e0ff}), nearest);
   const int smooth = add_texture(scene, linear_texels(2, 2, {0xffff8080, 0xffe0a070, 0xffe07090, 0xffff8080}));
   wall.textures[TEXTURE_SLOT_BASE_COLOR].texture = checker;
   wall.textures[TEXTURE_SLOT_NORMAL].texture = smooth;

@@ -24,8 +24,8 @@ TEST(TracePixel, a_picture_of_every_effect_is_the_reference_s) {
   const ImageFile reference = render_reference(scene, test::camera_at(3.5), exact, {});
   const auto& expected = std::get<std::vector<float>>(reference.layers[0].values);
   ASSERT_EQ(expected.size(), color.size());
-  // Floats against doubles: where a ray meets another triangle or texel by rounding, single pixels may differ; elsewhere
-  // a path of eight surfaces has some hundred roundings of 2^-24.
+  // Floats against doubles: where a ray meets another triangle or texel by rounding, single pixels may differ;
+  // elsewhere a path of eight surfaces has some hundred roundings of 2^-24.
   int different = 0;
   for (std::size_t i = 0; i < color.size(); ++i) {
     different += std::abs(color[i] - expected[i]) > 1e-4f * std::max(1.0f, expected[i]) ? 1 : 0;

@@ -18,8 +18,8 @@ constexpr int kRays = 2000;
 std::vector<test::NamedSet> traced_sets() {
   std::vector<test::NamedSet> sets = test::all_sets();
   for (test::NamedSet& set : sets) {
-    // Triangles below an ulp of their distance from the ray degenerate to noise in the ray's frame and may seem hit from
-    // anywhere. The boxes keep such rays off, every triangle in turn does not.
+    // Triangles below an ulp of their distance from the ray degenerate to noise in the ray's frame and may seem hit
+    // from anywhere. The boxes keep such rays off, every triangle in turn does not.
     if (set.name == "geometric series") set.triangles.resize(16);
     float largest = 0.0f;
     for (const BvhTriangle& t : set.triangles) {
@@ -135,7 +135,8 @@ TEST(TraverseBvh, any_hit_is_some_opaque_hit_within_reach) {
 TEST(TraverseBvh, both_stacks_take_the_same_steps) {
   int compared = 0;
   for (const auto& [name, triangles] : traced_sets()) {
-    if (build_bvh(triangles, {}, 1).depth > SHIFT_STACK_MAX_SIZE) continue;  // the host takes the array there (specialize)
+    if (build_bvh(triangles, {}, 1).depth > SHIFT_STACK_MAX_SIZE)
+      continue;  // the host takes the array there (specialize)
     Memory scene = bvh_memory(triangles);
     const BoundMemory bound(scene);
     RandomValues random(29);

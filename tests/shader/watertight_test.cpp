@@ -31,15 +31,25 @@ int misses(float scale, const vec3& offset, std::uint32_t seed, const AimAt& aim
   return missed;
 }
 
-vec3 on_edge(RandomValues& random, const vec3& a, const vec3& b) { return a + (b - a) * random.in(0, 1); }
-vec3 on_vertex(RandomValues&, const vec3& a, const vec3&) { return a; }
+vec3 on_edge(RandomValues& random, const vec3& a, const vec3& b) {
+  return a + (b - a) * random.in(0, 1);
+}
+vec3 on_vertex(RandomValues&, const vec3& a, const vec3&) {
+  return a;
+}
 
-TEST(Watertight, no_ray_at_an_edge_gets_out) { EXPECT_EQ(misses(0.5f, vec3(0), 21, on_edge), 0); }
-TEST(Watertight, no_ray_at_a_vertex_gets_out) { EXPECT_EQ(misses(0.5f, vec3(0), 22, on_vertex), 0); }
+TEST(Watertight, no_ray_at_an_edge_gets_out) {
+  EXPECT_EQ(misses(0.5f, vec3(0), 21, on_edge), 0);
+}
+TEST(Watertight, no_ray_at_a_vertex_gets_out) {
+  EXPECT_EQ(misses(0.5f, vec3(0), 22, on_vertex), 0);
+}
 TEST(Watertight, no_ray_at_an_edge_of_a_small_mesh_far_out_gets_out) {
   EXPECT_EQ(misses(0x1p-10f, vec3(0.7f, -0.9f, 0.3f), 23, on_edge), 0);
 }
-TEST(Watertight, no_ray_at_a_vertex_of_a_tiny_mesh_gets_out) { EXPECT_EQ(misses(0x1p-30f, vec3(0), 24, on_vertex), 0); }
+TEST(Watertight, no_ray_at_a_vertex_of_a_tiny_mesh_gets_out) {
+  EXPECT_EQ(misses(0x1p-30f, vec3(0), 24, on_vertex), 0);
+}
 
 }  // namespace
 }  // namespace vernier::shader
