@@ -30,7 +30,7 @@ class RenderTest(ProgramTest):
         self.assertGreater(report["peak_memory"]["host_bytes"], 1 << 20)
         self.assertIsNone(report["error_estimate"])
         self.assertEqual(report["non_finite_pixels"], 0)
-        self.assertEqual(len(report["effects"]), 24)
+        self.assertEqual(len(report["effects"]), 25)
         self.assertEqual(self.files(), ["out.exr", "out.json"])
 
     def test_two_runs_make_the_same_bytes(self):

@@ -1,6 +1,6 @@
-// What parity.comp and parity_test.cpp work out from the same numbers with the same functions. It stands inside a function
-// with `number(i)`, the i-th float operand, and `put(word)`.
-// No include guard: it stands inside a function, once each.
+// What parity.comp and parity_test.cpp work out from the same numbers with the same functions. It stands inside a
+// function with `number(i)`, the i-th float operand, and `put(word)`. No include guard: it stands inside a function,
+// once each.
 
 vec3 a = vec3(number(0u), number(1u), number(2u));
 vec3 b = vec3(number(3u), number(4u), number(5u));
