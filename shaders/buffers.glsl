@@ -3,6 +3,7 @@
 #define VERNIER_BUFFERS_GLSL
 
 #include "shared/bindings.h"
+#include "shared/film_layout.h"
 #include "shared/render_constants.h"
 
 layout(set = 0, binding = BINDING_RENDER, scalar) uniform RenderBlock { RenderConstants render; };
@@ -46,7 +47,8 @@ uint load_triangle_id(uint i) { return triangle_id_words[i]; }
 
 layout(set = 0, binding = BINDING_FILM, scalar) buffer Film { uint film_words[]; };
 layout(set = 0, binding = BINDING_COUNTERS, scalar) buffer Counters { uint counters[]; };
-layout(set = 0, binding = BINDING_PATHS, scalar) buffer Paths { uint path_words[]; };
+layout(set = 0, binding = BINDING_PATHS, scalar) buffer Paths { uvec4 path_blocks[]; };
+layout(set = 0, binding = BINDING_SAMPLES, scalar) buffer Samples { uvec4 sample_blocks[]; };
 layout(set = 0, binding = BINDING_AOVS, scalar) buffer Aovs { uint aov_words[]; };
 
 RenderConstants render_constants() { return render; }
@@ -56,12 +58,16 @@ bool scene_has_triangles() { return dispatch.steering.triangle_count > 0u; }
 
 uint load_film(uint i) { return film_words[i]; }
 void store_film(uint i, uint word) { film_words[i] = word; }
-uint load_path(uint i) { return path_words[i]; }
-void store_path(uint i, uint word) { path_words[i] = word; }
+uvec4 load_path(uint i) { return path_blocks[i]; }
+void store_path(uint i, uvec4 block) { path_blocks[i] = block; }
+uvec4 load_sample(uint i) { return sample_blocks[i]; }
+void store_sample(uint i, uvec4 block) { sample_blocks[i] = block; }
 void store_aov(uint i, uint word) { aov_words[i] = word; }
 // Adds to a counter; 0 costs no memory traffic.
 void add_to_counter(uint i, uint amount) {
   if (amount > 0u) atomicAdd(counters[i], amount);
 }
+// The next job of the dispatch that nobody has taken; past the last one there is none.
+uint take_job() { return atomicAdd(counters[COUNTER_NEXT_JOB], 1u); }
 
 #endif

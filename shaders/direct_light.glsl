@@ -4,8 +4,12 @@
 
 #include "blinn.glsl"
 #include "light.glsl"
-#include "shadow.glsl"
+#include "path.glsl"
+#include "shading_terms.glsl"
 #include "spawn_ray.glsl"
+
+// No scene has as many lights. Its real use is the loop's second condition (TRAVERSAL_STEP_LIMIT).
+const uint LIGHT_STEP_LIMIT = 1u << 30;
 
 // What the light adds without its shadow: diffuse and highlight.
 vec3 reflected_light(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_viewer, IN(LightSample) light, IN(float) cosine) {
@@ -17,31 +21,36 @@ vec3 reflected_light(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) 
   return reflected * light.irradiance;
 }
 
-// Sum over all lights. `wanted` = false spares the work (lanes in lockstep still pass through).
-Transmittance direct_light(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_viewer, IN(bool) wanted,
-                           INOUT(RayCounts) counts) {
-  Transmittance sum = Transmittance(vec3(0.0f), true);
+// Asks the lights from visit.next_light on, up to the first whose light has to be proven by a shadow ray: the ray is put
+// into `visit`, and visit.value is what the light adds by the surface alone; true. Lights that need no such ray are added
+// to `sum`. False: no light is left, or a loop limit cut the search off and visit.next_light says where.
+bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_viewer, INOUT(LightVisit) visit, INOUT(vec3) sum) {
   uint light_count = steering_constants().light_count;
-  uint index = 0u;
-  // The second condition lets no compiler take `index >= light_count` for true behind the loop (traverse_bvh.glsl).
-  for (; index < light_count && index < TRAVERSAL_STEP_LIMIT; index++) {
-    LightSample light = sample_light(fetch_light(index), surface.position);
+  bool found = false;
+  for (uint i = 0u; !found && visit.next_light < light_count && i < LIGHT_STEP_LIMIT; i++) {
+    LightSample light = sample_light(fetch_light(visit.next_light), surface.position);
+    visit.next_light++;
     float cosine = dot_product(surface.normal, light.direction);
-    bool lit = wanted && cosine > 0.0f && dot_product(surface.geometric_normal, light.direction) > 0.0f && max3(light.irradiance) > 0.0f;
+    bool lit = cosine > 0.0f && dot_product(surface.geometric_normal, light.direction) > 0.0f && max3(light.irradiance) > 0.0f;
     vec3 reflected = lit ? reflected_light(surface, terms, to_viewer, light, cosine) : vec3(0.0f);
-    if (effect_on(EFFECT_SHADOWS) && max3(reflected) > 0.0f) {
+    if (!effect_on(EFFECT_SHADOWS)) {
+      sum += reflected;
+    } else if (max3(reflected) > 0.0f) {
+      found = true;
       vec3 origin = spawn_origin(surface, light.direction);
       // Towards a point light the ray ends at t = 1, at the light; the offset of its start is taken into account.
-      Ray ray = Ray(origin, light.directional ? light.direction : light.offset + (surface.position - origin));
-      Transmittance shadow = transmittance(ray, light.directional ? LARGEST_FLOAT : 1.0f, counts);
-      counts.shadow++;
-      reflected *= shadow.value;
-      sum.finished = sum.finished && shadow.finished;
+      visit.ray = Ray(origin, light.directional ? light.direction : light.offset + (surface.position - origin));
+      visit.t_min = 0.0f;
+      visit.after_triangle = NONE;
+      visit.t_max = light.directional ? LARGEST_FLOAT : 1.0f;
+      visit.value = reflected;
+      visit.optical_depth = vec3(0.0f);
     }
-    sum.value += reflected;
   }
-  sum.finished = sum.finished && index >= light_count;
-  return sum;
+  return found;
 }
+
+// Whether all lights have been asked.
+bool lights_are_done(IN(LightVisit) visit) { return visit.next_light >= steering_constants().light_count; }
 
 #endif

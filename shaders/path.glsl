@@ -16,69 +16,90 @@ struct PathRay {
   uint medium;  // material it travels in, or NONE
 };
 
-// Work done, by kind of ray.
+// Rays begun by kind, and rays dropped.
 struct RayCounts {
-  uint primary, shadow, reflection, refraction, dropped, nodes, triangles;
+  uint primary, shadow, reflection, refraction, dropped;
 };
 
-// Where an invocation keeps its path: word w at w * stride + invocation of the path buffer.
-struct PathPlace {
-  uint invocation;
-  uint stride;
+// What a sample took.
+struct SampleCost {
+  uint rays;
+  uint nodes;      // with COUNT_COST
+  uint triangles;  // with COUNT_COST
 };
+
+// The hit at which the current ray ended, and the shadow ray from there to one of the lights.
+struct LightVisit {
+  Hit hit;
+  uint next_light;      // lights below that have been asked
+  Ray ray;              // the shadow ray: looks for hits after (t_min, after_triangle) up to t_max
+  float t_min;
+  uint after_triangle;
+  float t_max;
+  vec3 value;           // what the light adds to the pixel if nothing more is in its way
+  vec3 optical_depth;   // of what the shadow ray went through, less what it has yet to leave
+};
+
+// What an invocation is busy with: it looks for the hit of the current ray; or whether the shadow ray gets through; or,
+// without a ray, it has the next light to ask (only where a loop limit or a wall without light left it there).
+const uint PHASE_HIT = 0u;
+const uint PHASE_SHADOW = 1u;
+const uint PHASE_LIGHT = 2u;
 
 struct Path {
-  PathPlace place;
-  uint sample_index;
+  uint job;  // NONE: the invocation has none
   bool hit;  // the primary ray hit something
   vec3 radiance;
   uint waiting;  // rays on the stack
+  uint phase;
+  SampleCost cost;
   PathRay current;
+  LightVisit visit;
 };
 
-uint path_word(IN(PathPlace) place, IN(uint) word) { return place.invocation + word * place.stride; }
+PathRay no_ray() { return PathRay(vec3(0.0f), vec3(0.0f), vec3(0.0f), 0.0f, NONE, 0u, NONE); }
 
-uint stack_slot(IN(PathPlace) place, IN(uint) index) {
-  return path_word(place, PATH_HEAD_WORDS + PATH_RAY_WORDS * (index + 1u));
+LightVisit no_visit() {
+  return LightVisit(no_hit(0.0f), 0u, Ray(vec3(0.0f), vec3(0.0f)), 0.0f, NONE, 0.0f, vec3(0.0f), vec3(0.0f));
 }
 
-void save_ray(IN(uint) first, IN(uint) stride, IN(PathRay) ray) {
-  store_path(first, floatBitsToUint(ray.origin.x));
-  store_path(first + stride, floatBitsToUint(ray.origin.y));
-  store_path(first + 2u * stride, floatBitsToUint(ray.origin.z));
-  store_path(first + 3u * stride, floatBitsToUint(ray.direction.x));
-  store_path(first + 4u * stride, floatBitsToUint(ray.direction.y));
-  store_path(first + 5u * stride, floatBitsToUint(ray.direction.z));
-  store_path(first + 6u * stride, floatBitsToUint(ray.weight.x));
-  store_path(first + 7u * stride, floatBitsToUint(ray.weight.y));
-  store_path(first + 8u * stride, floatBitsToUint(ray.weight.z));
-  store_path(first + 9u * stride, floatBitsToUint(ray.t_min));
-  store_path(first + 10u * stride, ray.after_triangle);
-  store_path(first + 11u * stride, ray.depth);
-  store_path(first + 12u * stride, ray.medium);
+Path no_path() { return Path(NONE, false, vec3(0.0f), 0u, PHASE_HIT, SampleCost(0u, 0u, 0u), no_ray(), no_visit()); }
+
+// The path of `invocation` fills PATH_BLOCKS of the path buffer from here on.
+uint path_place(IN(uint) invocation) { return invocation * PATH_BLOCKS(PATH_STACK_SIZE); }
+
+uint stack_slot(IN(uint) place, IN(uint) index) { return place + PATH_HEAD_BLOCKS + PATH_RAY_BLOCKS * (index + 1u); }
+
+uvec4 block_of(IN(vec3) v, IN(uint) word) {
+  return uvec4(floatBitsToUint(v.x), floatBitsToUint(v.y), floatBitsToUint(v.z), word);
 }
 
-float load_path_float(IN(uint) i) { return uintBitsToFloat(load_path(i)); }
+vec3 vector_of(IN(uvec4) block) { return vec3(uintBitsToFloat(block.x), uintBitsToFloat(block.y), uintBitsToFloat(block.z)); }
 
-PathRay restored_ray(IN(uint) first, IN(uint) stride) {
-  PathRay ray;
-  ray.origin = vec3(load_path_float(first), load_path_float(first + stride), load_path_float(first + 2u * stride));
-  ray.direction = vec3(load_path_float(first + 3u * stride), load_path_float(first + 4u * stride),
-                       load_path_float(first + 5u * stride));
-  ray.weight = vec3(load_path_float(first + 6u * stride), load_path_float(first + 7u * stride),
-                    load_path_float(first + 8u * stride));
-  ray.t_min = load_path_float(first + 9u * stride);
-  ray.after_triangle = load_path(first + 10u * stride);
-  ray.depth = load_path(first + 11u * stride);
-  ray.medium = load_path(first + 12u * stride);
-  return ray;
+// Only then a ray may begin behind a hit.
+bool rays_pass_hits() { return effect_on(EFFECT_ALPHA_MASK) || effect_on(EFFECT_ALPHA_BLEND); }
+
+void save_ray(IN(uint) first, IN(PathRay) ray) {
+  store_path(first, block_of(ray.origin, ray.depth));
+  store_path(first + 1u, block_of(ray.direction, ray.medium));
+  store_path(first + 2u, block_of(ray.weight, floatBitsToUint(ray.t_min)));
+  if (rays_pass_hits()) store_path(first + 3u, uvec4(ray.after_triangle, 0u, 0u, 0u));
 }
 
-// Puts `ray` on the stack; a full stack drops it, which is counted and reported. The stack lies in memory at all times:
-// where a driver's loop limit cuts a kernel off, no loop could be trusted to save it.
-void push_ray(INOUT(Path) path, INOUT(RayCounts) counts, IN(PathRay) ray) {
+PathRay restored_ray(IN(uint) first) {
+  uvec4 a = load_path(first);
+  uvec4 b = load_path(first + 1u);
+  uvec4 c = load_path(first + 2u);
+  uint after_triangle = NONE;
+  if (rays_pass_hits()) after_triangle = load_path(first + 3u).x;
+  return PathRay(vector_of(a), vector_of(b), vector_of(c), uintBitsToFloat(c.w), after_triangle, a.w, b.w);
+}
+
+// Puts `ray` on the stack of the path at `place`; a full stack drops it, which is counted and reported. The stack lies in
+// memory at all times: where a driver's loop limit cuts a kernel off, no loop could be trusted to save it.
+void push_ray(IN(uint) place, INOUT(Path) path, INOUT(RayCounts) counts, IN(PathRay) ray) {
   if (path.waiting < PATH_STACK_SIZE) {
-    save_ray(stack_slot(path.place, path.waiting), path.place.stride, ray);
+    save_ray(stack_slot(place, path.waiting), ray);
     path.waiting++;
   } else {
     counts.dropped++;
@@ -86,34 +107,40 @@ void push_ray(INOUT(Path) path, INOUT(RayCounts) counts, IN(PathRay) ray) {
 }
 
 // The ray that came last onto the stack, which is not empty.
-PathRay pop_ray(INOUT(Path) path) {
+PathRay pop_ray(IN(uint) place, INOUT(Path) path) {
   path.waiting--;
-  return restored_ray(stack_slot(path.place, path.waiting), path.place.stride);
+  return restored_ray(stack_slot(place, path.waiting));
 }
 
 // Puts everything but the stack, which is there already, into memory.
-void save_path(IN(Path) path) {
-  PathPlace place = path.place;
-  store_path(path_word(place, 0u), path.sample_index);
-  store_path(path_word(place, 1u), path.hit ? 1u : 0u);
-  store_path(path_word(place, 2u), floatBitsToUint(path.radiance.x));
-  store_path(path_word(place, 3u), floatBitsToUint(path.radiance.y));
-  store_path(path_word(place, 4u), floatBitsToUint(path.radiance.z));
-  store_path(path_word(place, 5u), path.waiting);
-  save_ray(path_word(place, PATH_HEAD_WORDS), place.stride, path.current);
+void save_path(IN(uint) place, IN(Path) path) {
+  LightVisit visit = path.visit;
+  store_path(place, uvec4(path.job, path.hit ? 1u : 0u, path.waiting, path.phase));
+  store_path(place + 1u, block_of(path.radiance, path.cost.rays));
+  store_path(place + 2u, uvec4(visit.hit.triangle, visit.hit.record, path.cost.nodes, path.cost.triangles));
+  store_path(place + 3u, block_of(vec3(visit.hit.t, visit.hit.b1, visit.hit.b2), visit.next_light));
+  store_path(place + 4u, block_of(visit.ray.origin, floatBitsToUint(visit.t_min)));
+  store_path(place + 5u, block_of(visit.ray.direction, floatBitsToUint(visit.t_max)));
+  store_path(place + 6u, block_of(visit.value, visit.after_triangle));
+  store_path(place + 7u, block_of(visit.optical_depth, 0u));
+  save_ray(place + PATH_HEAD_BLOCKS, path.current);
 }
 
 // The path that was saved at `place`.
-Path restored_path(IN(PathPlace) place) {
-  Path path;
-  path.place = place;
-  path.sample_index = load_path(path_word(place, 0u));
-  path.hit = load_path(path_word(place, 1u)) != 0u;
-  path.radiance = vec3(load_path_float(path_word(place, 2u)), load_path_float(path_word(place, 3u)),
-                       load_path_float(path_word(place, 4u)));
-  path.waiting = load_path(path_word(place, 5u));
-  path.current = restored_ray(path_word(place, PATH_HEAD_WORDS), place.stride);
-  return path;
+Path restored_path(IN(uint) place) {
+  uvec4 state = load_path(place);
+  uvec4 sum = load_path(place + 1u);
+  uvec4 ids = load_path(place + 2u);
+  uvec4 weights = load_path(place + 3u);
+  uvec4 origin = load_path(place + 4u);
+  uvec4 direction = load_path(place + 5u);
+  uvec4 value = load_path(place + 6u);
+  vec3 hit = vector_of(weights);
+  LightVisit visit = LightVisit(Hit(hit.x, ids.x, ids.y, hit.y, hit.z), weights.w, Ray(vector_of(origin), vector_of(direction)),
+                                uintBitsToFloat(origin.w), value.w, uintBitsToFloat(direction.w), vector_of(value),
+                                vector_of(load_path(place + 7u)));
+  return Path(state.x, state.y != 0u, vector_of(sum), state.z, state.w, SampleCost(sum.w, ids.z, ids.w),
+              restored_ray(place + PATH_HEAD_BLOCKS), visit);
 }
 
 #endif

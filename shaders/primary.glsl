@@ -4,7 +4,8 @@
 
 #include "camera.glsl"
 #include "shared/film_layout.h"
-#include "shadow.glsl"
+#include "shading_terms.glsl"
+#include "traverse_bvh.glsl"
 
 void store_aov_vector(IN(uint) first, IN(vec3) v) {
   store_aov(first, floatBitsToUint(v.x));
@@ -19,8 +20,7 @@ Hit first_visible_hit(IN(Ray) ray) {
   uint after_triangle = NONE;
   bool looking = true;
   for (uint i = 0u; looking && i < TRAVERSAL_STEP_LIMIT; i++) {
-    hit = no_hit(LARGEST_FLOAT);
-    traverse_bvh(ray, t_min, after_triangle, false, hit);
+    hit = traverse_bvh(Search(ray, t_min, after_triangle, LARGEST_FLOAT, false)).hit;
     looking = false;
     if ((effect_on(EFFECT_ALPHA_MASK) || effect_on(EFFECT_ALPHA_BLEND)) && hit.triangle != NONE) {
       TrianglePoint point = triangle_point(hit);

@@ -6,12 +6,8 @@
 #include "specialization.glsl"
 #include "buffers.glsl"
 #include "traversal_stack.glsl"
-#include "trace_pixel.glsl"
+#include "trace_jobs.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 64) in;
 
-void main() {
-  if (gl_GlobalInvocationID.x >= dispatch.tile_width || gl_GlobalInvocationID.y >= dispatch.tile_height) return;
-  trace_pixel(dispatch.tile_x + gl_GlobalInvocationID.x, dispatch.tile_y + gl_GlobalInvocationID.y,
-              gl_GlobalInvocationID.y * dispatch.tile_width + gl_GlobalInvocationID.x);
-}
+void main() { trace_jobs(gl_GlobalInvocationID.x); }

@@ -1,10 +1,13 @@
-// One ray of the ray tree: what it sees and which rays follow. shaders/README.md, Image formation 5.
+// The ray tree of a sample, one search after the other: what a ray sees, which lights reach that and which rays follow.
+// shaders/README.md, Image formation 5.
 #ifndef VERNIER_TRACE_PATH_GLSL
 #define VERNIER_TRACE_PATH_GLSL
 
 #include "direct_light.glsl"
 #include "environment.glsl"
 #include "scatter_direction.glsl"
+#include "transmittance.glsl"
+#include "traverse_bvh.glsl"
 
 // Rays that follow from a hit; a weight of 0 means none.
 struct Children {
@@ -13,11 +16,13 @@ struct Children {
   PathRay passed;
 };
 
-struct RayResult {
-  vec3 radiance;  // already weighed
-  bool hit;
-  bool finished;  // false: cut off by a loop limit; the ray has to be traced again
-  Children children;
+// What a path does at the end of a search.
+struct Step {
+  Path path;
+  Children children;  // of the current ray, where it is done
+  bool ray_done;
+  bool asks_light;    // a shadow ray begins
+  bool finished;      // false: cut off by a loop limit, the search has to be made again
 };
 
 // `weight`, or 0 where a ray of that weight is not traced.
@@ -29,8 +34,6 @@ vec3 kept_weight(IN(vec3) weight) {
 PathRay child_ray(IN(PathRay) parent, IN(SurfacePoint) surface, IN(vec3) direction, IN(vec3) weight, IN(uint) medium) {
   return PathRay(spawn_origin(surface, direction), direction, weight, 0.0f, NONE, parent.depth + 1u, medium);
 }
-
-PathRay no_ray() { return PathRay(vec3(0.0f), vec3(0.0f), vec3(0.0f), 0.0f, NONE, 0u, NONE); }
 
 bool is_ray(IN(PathRay) ray) { return max3(ray.weight) > 0.0f; }
 
@@ -70,64 +73,100 @@ void scatter(IN(PathRay) parent, IN(SurfacePoint) surface, IN(DeviceMaterial) ma
   }
 }
 
-// Follows `ray` to its closest hit.
-RayResult trace_ray(IN(PathRay) ray, INOUT(RayCounts) counts) {
-  RayResult result = RayResult(vec3(0.0f), false, true, Children(no_ray(), no_ray(), no_ray()));
-  Hit hit = no_hit(LARGEST_FLOAT);
-  TraversalCost cost = traverse_bvh(Ray(ray.origin, ray.direction), ray.t_min, ray.after_triangle, false, hit);
-  count_cost(counts, cost);
-  result.finished = cost.finished;
-  if (hit.triangle == NONE) {
-    result.radiance = ray.weight * environment_radiance(ray.direction);
-    return result;
-  }
-  TrianglePoint point = triangle_point(hit);
-  DeviceMaterial material = fetch_material(point.vertices.w);
-  SlotTexels texels = fetch_slot_texels(point, material, readable_slots());
-  vec4 color = vertex_color(point);
-  result.finished = result.finished && texels.finished;
+// The search that the path waits for. In PHASE_LIGHT, and without a job, there is nothing to look for: no ray.
+Search path_search(IN(Path) path) {
+  bool shadow = path.phase == PHASE_SHADOW;
+  Ray ray = Ray(path.current.origin, path.current.direction);
+  if (shadow) ray = path.visit.ray;
+  if (path.phase == PHASE_LIGHT || path.job == NONE) ray.direction = vec3(0.0f);
+  return Search(ray, shadow ? path.visit.t_min : path.current.t_min,
+                shadow ? path.visit.after_triangle : path.current.after_triangle,
+                shadow ? path.visit.t_max : LARGEST_FLOAT, shadow);
+}
+
+// The current ray's hit `hit` on `surface`, for the first time or once more for the next light.
+void shade(INOUT(Step) result, IN(Hit) hit, IN(HitSurface) surface, IN(SlotTexels) texels) {
+  PathRay ray = result.path.current;
+  bool first = result.path.phase == PHASE_HIT;
   vec3 weight = ray.weight;
   if (effect_on(EFFECT_ABSORPTION) && ray.medium != NONE) weight *= exp(-fetch_absorption(ray.medium) * hit.t);
-  float alpha = 1.0f;
-  if (effect_on(EFFECT_ALPHA_MASK) || effect_on(EFFECT_ALPHA_BLEND)) {
-    alpha = surface_alpha(material, texels, color);
-    if (alpha < 1.0f) {
-      // The same ray goes on behind the hit; the part of it in the medium is weighed when it ends.
-      result.children.passed = PathRay(ray.origin, ray.direction, kept_weight(ray.weight * (1.0f - alpha)), hit.t, hit.triangle, ray.depth, ray.medium);
-    }
+  if (rays_pass_hits() && surface.alpha < 1.0f) {
+    // The same ray goes on behind the hit; the part of it in the medium is weighed when it ends.
+    result.children.passed = PathRay(ray.origin, ray.direction, kept_weight(ray.weight * (1.0f - surface.alpha)), hit.t,
+                                     hit.triangle, ray.depth, ray.medium);
   }
-  result.hit = alpha > 0.0f;
-  weight *= alpha;
-  SurfacePoint surface = surface_point(point, material, texels, ray.direction);
-  ShadingTerms terms = shading_terms(material, texels, first_three(color));
-  if (effect_on(EFFECT_UNLIT) && has_flag(material, MATERIAL_UNLIT)) {
-    result.radiance = weight * terms.base;
+  weight *= surface.alpha;
+  result.path.hit = result.path.hit || (surface.alpha > 0.0f && ray.depth == 0u);
+  if (effect_on(EFFECT_UNLIT) && has_flag(surface.material, MATERIAL_UNLIT)) {
+    result.path.radiance += weight * surface.terms.base;
+    result.ray_done = true;
+    return;
+  }
+  SurfacePoint at = surface_point(surface.point, surface.material, texels, ray.direction);
+  vec3 radiance = vec3(0.0f);
+  if (first) {
+    radiance = surface.terms.emission;
+    if (effect_on(EFFECT_AMBIENT)) radiance += surface.terms.ambient * ambient_radiance(at.normal);
+    result.path.visit = no_visit();
+    result.path.visit.hit = hit;
+  }
+  result.ray_done = true;
+  if ((effect_on(EFFECT_POINT_LIGHTS) || effect_on(EFFECT_DIRECTIONAL_LIGHTS)) && surface.alpha > 0.0f) {
+    result.asks_light = ask_lights(at, surface.terms, -ray.direction, result.path.visit, radiance);
+    result.path.visit.value *= weight;
+    result.path.phase = result.asks_light ? PHASE_SHADOW : PHASE_LIGHT;
+    result.ray_done = !result.asks_light && lights_are_done(result.path.visit);
+  }
+  result.path.radiance += weight * radiance;
+  if (result.ray_done && (effect_on(EFFECT_REFLECTION) || effect_on(EFFECT_REFRACTION)) &&
+      ray.depth < render_constants().max_bounces) {
+    scatter(ray, at, surface.material, surface.terms, weight, result.children);
+  }
+}
+
+// What comes of the answer to the path's search.
+Step step_of(IN(Path) path, IN(Found) found) {
+  Step result = Step(path, Children(no_ray(), no_ray(), no_ray()), false, false, found.finished);
+  bool struck = found.hit.triangle != NONE;
+  bool looks_for_hit = path.phase == PHASE_HIT;
+  bool in_the_way = effect_on(EFFECT_TINTED_SHADOWS) && path.phase == PHASE_SHADOW && struck && !found.is_opaque;
+  if (path.phase == PHASE_SHADOW && !struck) result.path.radiance += arriving_light(path.visit);
+  if (looks_for_hit && !struck) {
+    result.path.radiance += path.current.weight * environment_radiance(path.current.direction);
+    result.ray_done = true;
     return result;
   }
-  vec3 radiance = terms.emission;
-  if (effect_on(EFFECT_AMBIENT)) radiance += terms.ambient * ambient_radiance(surface.normal);
-  if (effect_on(EFFECT_POINT_LIGHTS) || effect_on(EFFECT_DIRECTIONAL_LIGHTS)) {
-    Transmittance direct = direct_light(surface, terms, -ray.direction, alpha > 0.0f, counts);
-    radiance += direct.value;
-    result.finished = result.finished && direct.finished;
-  }
-  result.radiance = weight * radiance;
-  if ((effect_on(EFFECT_REFLECTION) || effect_on(EFFECT_REFRACTION)) && ray.depth < render_constants().max_bounces) {
-    scatter(ray, surface, material, terms, weight, result.children);
+  // A shadow ray that got through, or ended, leads back to the hit it left: to the next light there.
+  Hit hit = path.visit.hit;
+  if (looks_for_hit || in_the_way) hit = found.hit;
+  HitSurface surface;
+  surface.point = triangle_point(hit);
+  surface.material = fetch_material(surface.point.vertices.w);
+  SlotTexels texels = fetch_slot_texels(surface.point, surface.material, readable_slots());
+  vec4 color = vertex_color(surface.point);
+  surface.terms = shading_terms(surface.material, texels, first_three(color));
+  surface.alpha = effect_on(EFFECT_ALPHA_MASK) || effect_on(EFFECT_ALPHA_BLEND) ? surface_alpha(surface.material, texels, color) : 1.0f;
+  result.finished = found.finished && texels.finished;
+  if (in_the_way) {
+    pass_surface(result.path.visit, hit, surface);
+    result.path.phase = max3(result.path.visit.value) > 0.0f ? PHASE_SHADOW : PHASE_LIGHT;
+  } else {
+    shade(result, hit, surface, texels);
   }
   return result;
 }
 
 // Puts the children of a finished ray into the path; false when the sample is done.
-bool next_ray(INOUT(Path) path, IN(Children) children, INOUT(RayCounts) counts) {
+bool next_ray(IN(uint) place, INOUT(Path) path, IN(Children) children, INOUT(RayCounts) counts) {
   bool reflected = is_ray(children.reflected);
   bool refracted = is_ray(children.refracted);
   bool passed = is_ray(children.passed);
+  path.phase = PHASE_HIT;
   counts.reflection += reflected ? 1u : 0u;
   counts.refraction += refracted ? 1u : 0u;
   // The deepest ray goes first and what passes waits lowest: so at most two rays wait per depth.
-  if (passed && (reflected || refracted)) push_ray(path, counts, children.passed);
-  if (reflected && refracted) push_ray(path, counts, children.reflected);
+  if (passed && (reflected || refracted)) push_ray(place, path, counts, children.passed);
+  if (reflected && refracted) push_ray(place, path, counts, children.reflected);
   if (refracted) {
     path.current = children.refracted;
   } else if (reflected) {
@@ -136,7 +175,7 @@ bool next_ray(INOUT(Path) path, IN(Children) children, INOUT(RayCounts) counts) 
     path.current = children.passed;
   } else {
     if (path.waiting == 0u) return false;
-    path.current = pop_ray(path);
+    path.current = pop_ray(place, path);
   }
   return true;
 }

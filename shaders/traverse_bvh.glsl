@@ -9,13 +9,6 @@
 // rounds in all, and a compiler that sees a loop end on `running` alone may take `running` for false behind it.
 const uint TRAVERSAL_STEP_LIMIT = 1u << 30;
 
-// What a traversal did. finished = false: the loop was cut off and nothing found so far may be used.
-struct TraversalCost {
-  uint nodes;
-  uint triangles;
-  bool finished;
-};
-
 // The rest of a node's hit children: child base << 8 | count << 6 | up to three 2-bit slots, the next one lowest.
 uint group_count(IN(uint) group) { return (group >> 6) & 3u; }
 
@@ -59,34 +52,52 @@ void advance(INOUT(Cursor) cursor, IN(bool) descend, IN(ivec4) entries, IN(uint)
   cursor.group = down ? rest : without_next(cursor.group);
 }
 
-// Closest hit after (t_min, after_triangle) with t < hit.t on entry; `hit` is untouched where there is none.
-// `stop_at_opaque`: any hit ends the search whose triangle lets nothing pass (it need not be the closest).
-TraversalCost traverse_bvh(IN(Ray) ray, IN(float) t_min, IN(uint) after_triangle, IN(bool) stop_at_opaque,
-                           INOUT(Hit) hit) {
-  SlabRay slab = slab_ray(ray);
-  ShearedRay sheared = sheared_ray(ray);
-  TraversalCost cost = TraversalCost(0u, 0u, true);
-  Cursor cursor = Cursor(0u, 0u, 0u, scene_has_triangles() && is_valid_ray(ray));
-  uint steps = 0u;
-  while (cursor.running && steps < TRAVERSAL_STEP_LIMIT) {
-    steps++;
+// What a ray is asked.
+struct Search {
+  Ray ray;
+  float t_min;          // hits come after (t_min, after_triangle)
+  uint after_triangle;
+  float t_max;          // and have t < t_max, at most LARGEST_FLOAT
+  bool stop_at_opaque;  // any hit ends the search whose triangle lets nothing pass (it need not be the closest)
+};
+
+// What a search found, and what it took.
+struct Found {
+  Hit hit;         // the closest, or no_hit(t_max)
+  bool is_opaque;  // its triangle lets nothing pass
+  bool finished;   // false: cut off by a loop limit, the answer may not be used
+  uint nodes;      // visited, with COUNT_COST
+  uint triangles;  // tested, with COUNT_COST
+};
+
+// The answer to `search`; no hit for a ray that is not valid.
+Found traverse_bvh(IN(Search) search) {
+  SlabRay slab = slab_ray(search.ray);
+  ShearedRay sheared = sheared_ray(search.ray);
+  Found found = Found(no_hit(search.t_max), false, true, 0u, 0u);
+  Cursor cursor = Cursor(0u, 0u, 0u, scene_has_triangles() && is_valid_ray(search.ray));
+  for (uint steps = 0u; cursor.running && steps < TRAVERSAL_STEP_LIMIT; steps++) {
     uvec4 a = load_record(3u * cursor.record);
     uvec4 b = load_record(3u * cursor.record + 1u);
     uvec4 c = load_record(3u * cursor.record + 2u);
     bool is_triangle = (a.w & BVH_TRIANGLE) != 0u;
-    ivec4 entries = intersect_children(slab, a, b, c, t_min, hit.t);
+    ivec4 entries = intersect_children(slab, a, b, c, search.t_min, found.hit.t);
     // Both kinds are worked out for every record: lanes in lockstep pay for both anyway, and selects are cheaper than a
     // branch. A record that is no triangle can hit nothing beyond the largest float.
     bool accepted = intersect_triangle(sheared, uintBitsToFloat(uvec3(a.x, a.y, a.z)), uintBitsToFloat(uvec3(b.x, b.y, b.z)),
                                        uintBitsToFloat(uvec3(c.x, c.y, c.z)), c.w, cursor.record,
-                                       is_triangle ? t_min : LARGEST_FLOAT, after_triangle, hit);
-    if (COUNT_COST) cost.triangles += is_triangle ? 1u : 0u;
+                                       is_triangle ? search.t_min : LARGEST_FLOAT, search.after_triangle, found.hit);
+    bool opaque = (a.w & BVH_TRIANGLE_NOT_OPAQUE) == 0u;
+    found.is_opaque = accepted ? opaque : found.is_opaque;
+    if (COUNT_COST) {
+      found.nodes += is_triangle ? 0u : 1u;
+      found.triangles += is_triangle ? 1u : 0u;
+    }
     advance(cursor, !is_triangle, entries, c.z);
-    if (stop_at_opaque) cursor.running = cursor.running && !(accepted && (a.w & BVH_TRIANGLE_NOT_OPAQUE) == 0u);
+    cursor.running = cursor.running && !(search.stop_at_opaque && accepted && opaque);
   }
-  cost.nodes = steps - cost.triangles;
-  cost.finished = !cursor.running;
-  return cost;
+  found.finished = !cursor.running;
+  return found;
 }
 
 #endif

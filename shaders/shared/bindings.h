@@ -12,9 +12,10 @@
 #define BINDING_TEXELS 7       // uint: 256 words of the sRGB curve as float bits, then the texels of all textures
 #define BINDING_FILM 8         // uint, FILM_WORDS per pixel of a band
 #define BINDING_COUNTERS 9     // uint, COUNTER_COUNT
-#define BINDING_PATHS 10       // uint, saved paths of a dispatch, PATH_WORDS(stack) per invocation, word by word
+#define BINDING_PATHS 10       // uvec4, PATH_BLOCKS(stack) per invocation
 #define BINDING_TRIANGLE_IDS 11  // uint, 2 per triangle: object, triangle within the object
-#define BINDING_DISPATCH 13    // DispatchConstants
 #define BINDING_AOVS 12        // uint, AOV_WORDS per pixel of a band
+#define BINDING_DISPATCH 13    // DispatchConstants
+#define BINDING_SAMPLES 14     // uvec4, SAMPLE_BLOCKS per job
 
 #endif

@@ -1,4 +1,4 @@
-// Words per pixel of the film and the AOV buffer, and of a saved path. Read by C++ and GLSL alike.
+// Words per pixel of the film and the AOV buffer, of a sample and a saved path. Read by C++ and GLSL alike.
 #ifndef VERNIER_SHARED_FILM_LAYOUT_H
 #define VERNIER_SHARED_FILM_LAYOUT_H
 
@@ -30,19 +30,23 @@
 #define AOV_TRIANGLE 18u  // global triangle number
 #define AOV_WORDS 19u
 
-#define COUNTER_UNFINISHED 0u      // invocations that saved their path
+#define COUNTER_UNFINISHED 0u      // invocations that saved a path
 #define COUNTER_PRIMARY 1u         // rays begun, by kind
 #define COUNTER_SHADOW 2u
 #define COUNTER_REFLECTION 3u
 #define COUNTER_REFRACTION 4u
 #define COUNTER_STACK_OVERFLOWS 5u  // rays dropped because the path stack was full
-#define COUNTER_STUCK 6u            // invocations that could not finish even one ray of their budget
+#define COUNTER_STUCK 6u            // invocations that could not finish even one search of their budget
+#define COUNTER_NEXT_JOB 7u         // the first job that nobody has taken yet; kept from dispatch to dispatch
 #define COUNTER_COUNT 8u
 
-// A ray to be followed: origin 3, direction 3, weight 3, t_min, after_triangle, depth, medium.
-#define PATH_RAY_WORDS 13u
-// A saved path: sample, hit, radiance 3, rays that wait; then the current ray and those that wait.
-#define PATH_HEAD_WORDS 6u
-#define PATH_WORDS(stack_size) (PATH_HEAD_WORDS + PATH_RAY_WORDS * (1u + (stack_size)))
+// A traced sample, in blocks of four words: radiance 3, rays | SAMPLE_HIT; with costs counted: nodes, triangles.
+#define SAMPLE_HIT 0x80000000u  // the primary ray hit something
+#define SAMPLE_BLOCKS(count_cost) ((count_cost) ? 2u : 1u)
+
+// A path between two dispatches, in blocks of four words (path.glsl): its own state, the current ray, the rays that wait.
+#define PATH_RAY_BLOCKS 4u
+#define PATH_HEAD_BLOCKS 8u
+#define PATH_BLOCKS(stack_size) (PATH_HEAD_BLOCKS + PATH_RAY_BLOCKS * (1u + (stack_size)))
 
 #endif

@@ -59,7 +59,7 @@ struct DispatchConstants {
   uint band_width;
   uint sample_begin;  // samples of this pass
   uint sample_end;
-  uint ray_budget;  // rays that one invocation may follow before it saves its path
+  uint search_budget;  // searches that one invocation may make before it saves its path
   uint resume;      // 1: go on with the saved paths
   SteeringConstants steering;
 };

@@ -45,7 +45,7 @@ Camera starting_camera(const Scene& scene, const SceneSettings& settings, double
   if (!scene.cameras.empty()) {
     return scene.cameras.front();
   }
-  return frame_camera(world_bounds(scene), settings.vertical_fov.value_or(Camera{}.vertical_fov), aspect);
+  return frame_scene(scene, settings.vertical_fov.value_or(Camera{}.vertical_fov), aspect);
 }
 
 // A unit vector without overflow: view distances may be as large as double allows.

@@ -17,15 +17,27 @@ void put(nlohmann::ordered_json& options, const char* name, const std::string& t
   }
 }
 
-std::map<std::string, std::string> scene_recipe(const SceneArguments& scene, const RenderArguments& render) {
+std::map<std::string, std::string> scene_recipe(const SceneArguments& scene, std::span<const std::string> files,
+                                                const RenderArguments& render) {
   std::map<std::string, std::string> metadata;
   metadata["vernier:version"] = kVersion;
   metadata["vernier:scene"] = scene.scene;
   metadata["vernier:options"] = recipe_options(scene, render).dump();
-  if (!scene.scene.empty()) {
-    metadata["vernier:scene_sha1"] = sha1_of_file(scene.scene);
+  if (!files.empty()) {
+    metadata["vernier:scene_sha1"] = sha1_of_files(files);
   }
   return metadata;
+}
+
+void append_file(OIIO::SHA1& hash, const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::array<char, 1 << 16> block;
+  while (file.read(block.data(), block.size()) || file.gcount() > 0) {
+    hash.append(block.data(), static_cast<std::size_t>(file.gcount()));
+  }
+  if (!file.eof()) {
+    throw Error(ErrorKind::refused, path + ": cannot be read");
+  }
 }
 
 }  // namespace
@@ -55,15 +67,10 @@ nlohmann::ordered_json recipe_options(const SceneArguments& scene, const RenderA
   return options;
 }
 
-std::string sha1_of_file(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+std::string sha1_of_files(std::span<const std::string> paths) {
   OIIO::SHA1 hash;
-  std::array<char, 1 << 16> block;
-  while (file.read(block.data(), block.size()) || file.gcount() > 0) {
-    hash.append(block.data(), static_cast<std::size_t>(file.gcount()));
-  }
-  if (!file.eof()) {
-    throw Error(ErrorKind::refused, path + ": cannot be read");
+  for (const std::string& path : paths) {
+    append_file(hash, path);
   }
   std::string digits = hash.digest();
   for (char& digit : digits) {
@@ -72,17 +79,18 @@ std::string sha1_of_file(const std::string& path) {
   return digits;
 }
 
-std::map<std::string, std::string> render_recipe(const SceneArguments& scene, const RenderArguments& render,
-                                                 const RecipeMaker& maker) {
-  std::map<std::string, std::string> metadata = scene_recipe(scene, render);
+std::map<std::string, std::string> render_recipe(const SceneArguments& scene, std::span<const std::string> files,
+                                                 const RenderArguments& render, const RecipeMaker& maker) {
+  std::map<std::string, std::string> metadata = scene_recipe(scene, files, render);
   metadata["vernier:device"] = maker.device;
   metadata["vernier:driver"] = maker.driver;
   metadata["vernier:spirv_hash"] = maker.spirv_hash;
   return metadata;
 }
 
-std::map<std::string, std::string> reference_recipe(const SceneArguments& scene, const RenderArguments& render) {
-  std::map<std::string, std::string> metadata = scene_recipe(scene, render);
+std::map<std::string, std::string> reference_recipe(const SceneArguments& scene, std::span<const std::string> files,
+                                                    const RenderArguments& render) {
+  std::map<std::string, std::string> metadata = scene_recipe(scene, files, render);
   metadata["vernier:device"] = "reference";
   return metadata;
 }

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <string>
 
 #include "cli/render_options.h"
@@ -20,17 +21,20 @@ struct RecipeMaker {
 /// not given and without a default are left out. What never changes a bit (tile, dispatch-ms) is left out too.
 nlohmann::ordered_json recipe_options(const SceneArguments& scene, const RenderArguments& render);
 
-/// SHA-1 of the bytes of the file at `path`, 40 hexadecimal digits; not of the files it refers to.
-/// Throws Error(refused) for a file that cannot be read.
-std::string sha1_of_file(const std::string& path);
+/// SHA-1 of the bytes of the files at `paths` one after the other, 40 hexadecimal digits: for a single file what
+/// sha1sum tells of it. Throws Error(refused) for a file that cannot be read.
+std::string sha1_of_files(std::span<const std::string> paths);
 
-/// Metadata of a rendered image: vernier:version, vernier:scene, vernier:scene_sha1, vernier:options (JSON text of
-/// recipe_options), vernier:device, vernier:driver, vernier:spirv_hash. Equal renders have equal metadata: no date,
-/// no host. For the built-in scene vernier:scene is empty and there is no hash: it is part of the program's version.
-std::map<std::string, std::string> render_recipe(const SceneArguments& scene, const RenderArguments& render,
-                                                 const RecipeMaker& maker);
+/// Metadata of a rendered image: vernier:version, vernier:scene, vernier:scene_sha1 (sha1_of_files of `files`, which
+/// are Scene::files: buffers, textures, material libraries and the background image count too), vernier:options (JSON
+/// text of recipe_options), vernier:device, vernier:driver, vernier:spirv_hash. Equal renders have equal metadata: no
+/// date, no host. For the built-in scene vernier:scene is empty; it is part of the program's version, and without files
+/// there is no hash.
+std::map<std::string, std::string> render_recipe(const SceneArguments& scene, std::span<const std::string> files,
+                                                 const RenderArguments& render, const RecipeMaker& maker);
 
 /// The same for an image of the double-precision reference, with vernier:device `reference`.
-std::map<std::string, std::string> reference_recipe(const SceneArguments& scene, const RenderArguments& render);
+std::map<std::string, std::string> reference_recipe(const SceneArguments& scene, std::span<const std::string> files,
+                                                    const RenderArguments& render);
 
 }  // namespace vernier

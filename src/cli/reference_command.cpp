@@ -1,8 +1,8 @@
 #include <cstdio>
 #include <memory>
-#include <mutex>
 
 #include "cli/commands.h"
+#include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/parse_values.h"
 #include "cli/progress_bar.h"
@@ -10,6 +10,7 @@
 #include "cli/render_options.h"
 #include "cli/scene_setup.h"
 #include "cli/warnings.h"
+#include "error.h"
 #include "image/write_image.h"
 #include "reference/render_reference.h"
 
@@ -41,6 +42,7 @@ ReferenceSettings reference_settings(const ReferenceArguments& arguments) {
 }
 
 int run_reference(const ReferenceArguments& arguments) {
+  catch_interrupt();
   const ReferenceSettings settings = reference_settings(arguments);
   const SceneSettings scene_settings = parse_scene_settings(arguments.scene);
   const DisplayTransform display{parse_exposure(arguments.exposure)};
@@ -50,18 +52,20 @@ int run_reference(const ReferenceArguments& arguments) {
   ImageFile image;
   {
     ProgressBar bar(arguments.quiet);
-    std::mutex one_at_a_time;
     const WorkClock clock;
-    image = render_reference(setup.scene, setup.camera, settings, [&](double share) {
-      const std::lock_guard lock(one_at_a_time);
-      bar.update(clock.at(share));
-    });
+    ReferenceCallbacks callbacks;
+    callbacks.progress = [&](double share) { bar.update(clock.at(share)); };
+    callbacks.cancelled = interrupted;
+    image = render_reference(setup.scene, setup.camera, settings, callbacks);
   }
-  image.metadata.merge(reference_recipe(arguments.scene, arguments.render));
+  image.metadata.merge(reference_recipe(arguments.scene, setup.scene.files, arguments.render));
   write_image(arguments.output, image, display);
   if (!arguments.quiet) {
     std::fprintf(stderr, "%s: %dx%d, %u spp, double precision\n", arguments.output.c_str(), settings.width,
                  settings.height, settings.spp);
+  }
+  if (interrupted()) {
+    throw Error(ErrorKind::failed, arguments.output + ": interrupted; it holds what was done by then");
   }
   return 0;
 }

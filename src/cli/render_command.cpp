@@ -74,7 +74,7 @@ int run_render(const RenderPlan& plan) {
                       std::move(result.statistics), setup.load_ms, setup.scene.warnings};
   report.warnings.insert(report.warnings.end(), report.statistics.warnings.begin(), report.statistics.warnings.end());
   const RecipeMaker maker{description.name, description.driver, report.statistics.spirv_hash};
-  result.image.metadata.merge(render_recipe(plan.scene_arguments, plan.render_arguments, maker));
+  result.image.metadata.merge(render_recipe(plan.scene_arguments, setup.scene.files, plan.render_arguments, maker));
   write_image(plan.output, result.image, plan.display);
   if (!plan.json_file.empty()) {
     write_text(plan.json_file, render_json(report).dump(2) + "\n");

@@ -13,8 +13,8 @@
 namespace vernier {
 namespace {
 
-constexpr std::uint32_t kMaxBounces = 64;    // weights have long fallen below any cutoff; bounds the work of cutoff 0
-constexpr double kMaxDispatch_ms = 60000.0;  // drivers reset a device that is busy for longer
+constexpr std::uint32_t kMaxBounces = 1000;     // lossless mirrors go on for ever: bounds the work of cutoff 0
+constexpr double kMaxDispatch_ms = 60000.0;     // drivers reset a device that is busy for longer
 constexpr double kMaxTimeLimit_s = 31536000.0;  // a year
 
 constexpr std::array<const char*, 11> kAovs = {"depth",        "position",     "normal",    "shading_normal",
@@ -81,7 +81,7 @@ void add_size_option(CLI::App& app, std::string& size) {
 }
 
 void add_bounces_option(CLI::App& app, std::string& max_bounces) {
-  app.add_option("--max-bounces", max_bounces, "depth of reflections and refractions, 0 to 64 (default: 8)")
+  app.add_option("--max-bounces", max_bounces, "depth of reflections and refractions, 0 to 1000 (default: 8)")
       ->type_name("N");
 }
 

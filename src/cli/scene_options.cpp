@@ -61,9 +61,8 @@ void add_scene_options(CLI::App& app, SceneArguments& arguments) {
       ->allow_extra_args(false)
       ->group(group);
   app.add_option("--background", arguments.background,
-                 "linear radiance, or an equirectangular image (default: the file's, else a soft gradient where the "
-                 "file has no "
-                 "lights, else black)")
+                 "linear radiance, or an equirectangular image (default: a soft gradient, dim beside the file's "
+                 "lights or --light)")
       ->type_name("r,g,b|FILE")
       ->group(group);
   app.add_option("--ambient", arguments.ambient,

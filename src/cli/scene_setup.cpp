@@ -37,12 +37,11 @@ void set_lighting(Scene& scene, const Camera& camera, const SceneSettings& setti
     scene.lights = settings.lights;
   }
   set_background(scene, settings);
-  if (scene.lights.empty()) {
-    const Environment before = scene.environment;
-    add_default_lighting(scene, camera);
-    if (sets_background(settings)) {
-      scene.environment = before;
-    }
+  const Environment before = scene.environment;
+  add_default_lighting(scene, camera);
+  // Black is a background too, if asked for.
+  if (sets_background(settings)) {
+    scene.environment = before;
   }
   if (settings.ambient) {
     scene.environment.has_ambient_override = true;

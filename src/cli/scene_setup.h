@@ -17,8 +17,9 @@ struct SceneSetup {
 /// that is not there.
 SceneSetup set_up_scene(const SceneSettings& settings, double aspect);
 
-/// Puts the lights and the environment of `settings` in place of the file's. Where neither brings a light, adds the
-/// default lighting; a background that is given stays. Throws Error(refused) for a broken background file.
+/// Puts the lights and the environment of `settings` in place of the file's and adds the default lighting that is
+/// missing (add_default_lighting); a background that is given stays. Throws Error(refused) for a broken background
+/// file.
 void set_lighting(Scene& scene, const Camera& camera, const SceneSettings& settings);
 
 }  // namespace vernier

@@ -12,17 +12,18 @@ namespace {
 
 class RowQueue {
  public:
-  RowQueue(int row_count, const std::function<void(int)>& work, const std::function<void(double)>& progress)
-      : row_count_(row_count), work_(work), progress_(progress) {}
+  RowQueue(int row_count, const std::function<void(int)>& work, const std::function<void(double)>& progress,
+           const std::function<bool()>& cancelled)
+      : row_count_(row_count), work_(work), progress_(progress), cancelled_(cancelled) {}
 
   void run() noexcept {
-    for (int row = take(); row < row_count_; row = take()) {
-      try {
+    try {
+      for (int row = take(); row < row_count_ && !is_cancelled(); row = take()) {
         work_(row);
         report();
-      } catch (...) {
-        fail();
       }
+    } catch (...) {
+      fail();
     }
   }
 
@@ -31,6 +32,8 @@ class RowQueue {
   }
 
  private:
+  bool is_cancelled() const { return cancelled_ && cancelled_(); }
+
   int take() {
     const std::lock_guard lock(mutex_);
     return failure_ ? row_count_ : std::min(next_++, row_count_);
@@ -50,6 +53,7 @@ class RowQueue {
   const int row_count_;
   const std::function<void(int)>& work_;
   const std::function<void(double)>& progress_;
+  const std::function<bool()>& cancelled_;
   std::mutex mutex_;
   int next_ = 0;
   int done_ = 0;
@@ -59,9 +63,9 @@ class RowQueue {
 }  // namespace
 
 void for_each_row(int row_count, unsigned thread_count, const std::function<void(int)>& work,
-                  const std::function<void(double)>& progress) {
+                  const std::function<void(double)>& progress, const std::function<bool()>& cancelled) {
   if (thread_count == 0) thread_count = std::max(1u, std::thread::hardware_concurrency());
-  RowQueue queue(row_count, work, progress);
+  RowQueue queue(row_count, work, progress, cancelled);
   {
     std::vector<std::jthread> others;
     for (unsigned i = 1; i < std::min(thread_count, static_cast<unsigned>(row_count)); ++i)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "reference/fresnel.h"
 #include "reference/light_arrival.h"
@@ -97,10 +98,13 @@ glm::dvec3 kept_on_side(const glm::dvec3& direction, const glm::dvec3& outward) 
   return glm::normalize(height < 0.0 ? direction - 2.0 * height * outward : direction);
 }
 
-glm::dvec3 follow(const Context& context, Path path);
+// Paths that have yet to be followed, the last one first: not recursion, which at a thousand bounces would want more
+// stack than every thread has.
+using WaitingPaths = std::vector<Path>;
 
-glm::dvec3 turned_light(const Context& context, const Path& path, const Surface& surface, const glm::dvec3& weight) {
-  if (path.depth >= context.limits.max_bounces) return glm::dvec3(0.0);
+void turn(const Context& context, const Path& path, const Surface& surface, const glm::dvec3& weight,
+          WaitingPaths& waiting) {
+  if (path.depth >= context.limits.max_bounces) return;
   const ShadingFrame& frame = surface.frame;
   const Material& material = surface.material;
   const double tilt = glm::dot(frame.shading_normal, surface.view);
@@ -112,10 +116,9 @@ glm::dvec3 turned_light(const Context& context, const Path& path, const Surface&
   const Split weights = split(surface.terms, cosine, eta);
 
   Path child{{frame.position, {}}, surface.triangle, weight * weights.reflected, path.depth + 1, path.medium};
-  glm::dvec3 sum(0.0);
   if (is_traced(context, child.weight)) {
     child.ray.direction = kept_on_side(2.0 * cosine * normal - surface.view, frame.geometric_normal);
-    sum += follow(context, child);
+    waiting.push_back(child);
   }
   child.weight = weight * weights.refracted;
   if (is_traced(context, child.weight)) {
@@ -123,30 +126,31 @@ glm::dvec3 turned_light(const Context& context, const Path& path, const Surface&
                               ? -surface.view
                               : kept_on_side(refracted_direction(surface.view, normal, eta), -frame.geometric_normal);
     if (!material.thin_walled) child.medium = frame.front ? &material : nullptr;
-    sum += follow(context, child);
+    waiting.push_back(child);
   }
-  return sum;
 }
 
 // The light that one hit adds, `weight` included.
-glm::dvec3 hit_light(const Context& context, const Path& path, const Hit& hit, const ShadingFrame& frame) {
+glm::dvec3 hit_light(const Context& context, const Path& path, const Hit& hit, const ShadingFrame& frame,
+                     WaitingPaths& waiting) {
   const Triangle& triangle = context.scene.baked.triangles[hit.triangle];
   const Scene& scene = *context.scene.scene;
   const Surface surface{hit.triangle, scene.materials[triangle.material], frame,
                         surface_terms(scene, triangle, hit.weights), -path.ray.direction};
   const glm::dvec3 weight = path.weight * hit.coverage;
   if (surface.material.unlit) return weight * surface.terms.base;
-  return weight * direct_light(context, surface) + turned_light(context, path, surface, weight);
+  turn(context, path, surface, weight, waiting);
+  return weight * direct_light(context, surface);
 }
 
-// One straight line through everything that alpha blends; the forks are calls.
-glm::dvec3 follow_from(const Context& context, Path path, std::optional<Hit> hit) {
+// One straight line through everything that alpha blends; the forks wait.
+glm::dvec3 follow(const Context& context, Path path, std::optional<Hit> hit, WaitingPaths& waiting) {
   glm::dvec3 sum(0.0);
   for (;;) {
     if (!hit) return sum + path.weight * environment_radiance(*context.scene.scene, path.ray.direction);
     if (path.medium) path.weight *= glm::exp(-hit->t * glm::dvec3(path.medium->absorption));
     const ShadingFrame frame = shading_frame(context.scene, *hit, path.ray.direction);
-    sum += hit_light(context, path, *hit, frame);
+    sum += hit_light(context, path, *hit, frame, waiting);
     path.weight *= 1.0 - hit->coverage;
     if (!is_traced(context, path.weight)) return sum;
     path.ray.origin = frame.position;
@@ -155,15 +159,19 @@ glm::dvec3 follow_from(const Context& context, Path path, std::optional<Hit> hit
   }
 }
 
-glm::dvec3 follow(const Context& context, Path path) {
-  return follow_from(context, path, closest_hit(context.scene, path.ray, path.source));
-}
-
 }  // namespace
 
 Arrival radiance(const TracedScene& scene, const PathLimits& limits, const Ray& ray) {
   const std::optional<Hit> first = closest_hit(scene, ray, kNoTriangle);
-  return {follow_from({scene, limits}, Path{ray}, first), first.has_value()};
+  const Context context{scene, limits};
+  WaitingPaths waiting;
+  glm::dvec3 sum = follow(context, Path{ray}, first, waiting);
+  while (!waiting.empty()) {
+    const Path path = waiting.back();
+    waiting.pop_back();
+    sum += follow(context, path, closest_hit(scene, path.ray, path.source), waiting);
+  }
+  return {sum, first.has_value()};
 }
 
 }  // namespace vernier::reference

@@ -19,8 +19,8 @@ struct Arrival {
   bool hit = false;  ///< it met anything
 };
 
-/// The light that comes in along `ray`, which starts in the open: "Image formation" section 5. Recursive; the time can
-/// grow as 2^max_bounces where paths fork. A NaN of the scene is passed on.
+/// The light that comes in along `ray`, which starts in the open: "Image formation" section 5. The time can grow as
+/// 2^max_bounces where paths fork, the memory as max_bounces. A NaN of the scene is passed on.
 Arrival radiance(const TracedScene& scene, const PathLimits& limits, const Ray& ray);
 
 }  // namespace vernier::reference

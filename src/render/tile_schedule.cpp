@@ -5,8 +5,7 @@
 namespace vernier {
 namespace {
 
-constexpr std::uint32_t kMostSamplesPerPass = 16;
-constexpr std::uint32_t kLargestRayBudget = 1u << 20;
+constexpr std::uint32_t kLargestSearchBudget = 1u << 20;
 
 }  // namespace
 
@@ -23,21 +22,21 @@ std::vector<PixelRect> schedule_tiles(const PixelRect& area, glm::ivec2 tile, in
   return tiles;
 }
 
-std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end) {
+std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end, std::uint32_t most) {
   std::vector<SamplePass> passes;
   std::uint32_t length = 1;
   for (std::uint32_t next = begin; next < end;) {
     const std::uint32_t pass_end = next + std::min(length, end - next);
     passes.push_back({next, pass_end});
-    length = std::min(4 * length, kMostSamplesPerPass);
+    length = std::min({4 * length, kMostSamplesPerPass, most});
     next = pass_end;
   }
   return passes;
 }
 
-std::uint32_t choose_ray_budget(double wanted_ms, double ms_per_ray, std::uint32_t live_pixels) {
-  const double budget = wanted_ms / (ms_per_ray * std::max(live_pixels, 1u));
-  return static_cast<std::uint32_t>(std::clamp(budget, 1.0, static_cast<double>(kLargestRayBudget)));
+std::uint32_t choose_search_budget(double wanted_ms, double ms_per_search, std::uint32_t invocations) {
+  const double budget = wanted_ms / (ms_per_search * std::max(invocations, 1u));
+  return static_cast<std::uint32_t>(std::clamp(budget, 1.0, static_cast<double>(kLargestSearchBudget)));
 }
 
 }  // namespace vernier

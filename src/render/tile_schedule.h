@@ -15,14 +15,19 @@ std::vector<PixelRect> schedule_tiles(const PixelRect& area, glm::ivec2 tile, in
 struct SamplePass {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
+
+  std::uint32_t length() const { return end - begin; }
 };
 
-/// Passes that together take samples [begin, end) of every pixel: 1, 4, then 16 at once, so that a whole
-/// image is there early and after each pass.
-std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end);
+/// Samples of the longest pass.
+constexpr std::uint32_t kMostSamplesPerPass = 16;
 
-/// How many rays each of `live_pixels` pixels may follow in the next dispatch, so that it takes about `wanted_ms` at
-/// `ms_per_ray` (both above 0): at least 1, at most 2^20.
-std::uint32_t choose_ray_budget(double wanted_ms, double ms_per_ray, std::uint32_t live_pixels);
+/// Passes that together take samples [begin, end) of every pixel: 1, 4, then 16 at once but never more than `most` (at
+/// least 1), so that a whole image is there early and after each pass.
+std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end, std::uint32_t most);
+
+/// How many searches each of `invocations` may make in the next dispatch, so that it takes about `wanted_ms` at
+/// `ms_per_search` (both above 0): at least 1, at most 2^20.
+std::uint32_t choose_search_budget(double wanted_ms, double ms_per_search, std::uint32_t invocations);
 
 }  // namespace vernier

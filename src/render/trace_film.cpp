@@ -1,5 +1,6 @@
 #include "render/trace_film.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 #include <span>
@@ -14,20 +15,45 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Tiles of CPU devices are small: their dispatches then stay within the time budget; a GPU wants more lanes at once.
-constexpr int kCpuTile = 64;
+/// A GPU wants more lanes at once; the samples of a CPU's tile should stay in its caches.
+constexpr int kCpuTile = 128;
 constexpr int kGpuTile = 256;
-constexpr int kWorkgroup = 8;
-/// Taken for the time of a ray until a dispatch of at least kTrustedRays has been timed: a slow CPU.
-constexpr double kFirstMsPerRay = 1e-3;
-constexpr std::uint32_t kTrustedRays = 1024;
+constexpr int kBlock = 8;
+/// Samples of a pass of a tile wait in a buffer of at most that size.
+constexpr std::uint64_t kSampleBytes = 64u << 20;
+/// Invocations per dispatch, in workgroups of kWorkgroup: enough for any device to be busy. They take jobs until none is
+/// left; on a CPU the few that run at once do it all.
+constexpr std::uint32_t kCpuInvocations = 4096;
+constexpr std::uint32_t kGpuInvocations = 1u << 17;
+constexpr std::uint32_t kWorkgroup = 64;
+/// Taken for the time of a search until a dispatch of at least kTrustedSearches has been timed: a slow CPU.
+constexpr double kFirstMsPerSearch = 1e-3;
+constexpr std::uint32_t kTrustedSearches = 1024;
 
-glm::ivec2 chosen_tile(const DeviceDescription& device, const RenderSettings& settings) {
-  return settings.tile.x > 0 ? settings.tile : glm::ivec2(device.is_cpu ? kCpuTile : kGpuTile);
+std::uint32_t blocks_of(int pixels) {
+  return static_cast<std::uint32_t>((pixels + kBlock - 1) / kBlock);
 }
 
-std::uint32_t group_count(int pixels) {
-  return static_cast<std::uint32_t>((pixels + kWorkgroup - 1) / kWorkgroup);
+/// Jobs of a tile per sample: incomplete blocks count as whole ones (shaders/job.glsl).
+std::uint64_t jobs_per_sample(glm::ivec2 tile) {
+  return std::uint64_t{blocks_of(tile.x)} * blocks_of(tile.y) * kBlock * kBlock;
+}
+
+std::uint64_t bytes_per_sample(const TraceSpecialization& specialization) {
+  return SAMPLE_BLOCKS(specialization.count_cost) * 16;
+}
+
+/// What the settings ask for, but no larger than the image, and small enough for one sample of each of its pixels.
+glm::ivec2 chosen_tile(const DeviceDescription& device, const RenderSettings& settings, const PixelRect& area,
+                       std::uint64_t sample_bytes) {
+  glm::ivec2 tile = settings.tile.x > 0 ? settings.tile : glm::ivec2(device.is_cpu ? kCpuTile : kGpuTile);
+  tile = glm::min(tile, glm::ivec2(area.width, area.height));
+  while (jobs_per_sample(tile) * sample_bytes > kSampleBytes) (tile.x > tile.y ? tile.x : tile.y) /= 2;
+  return tile;
+}
+
+std::uint32_t most_samples(glm::ivec2 tile, std::uint64_t sample_bytes) {
+  return static_cast<std::uint32_t>(kSampleBytes / (jobs_per_sample(tile) * sample_bytes));
 }
 
 DispatchConstants tile_constants(const GpuScene& scene, const PixelRect& tile, const PixelRect& area,
@@ -44,12 +70,13 @@ DispatchConstants tile_constants(const GpuScene& scene, const PixelRect& tile, c
   return constants;
 }
 
+/// One invocation per pixel of `tile`.
 Dispatch tile_dispatch(const ComputePipeline& pipeline, const BindingSet& bindings, const PixelRect& tile) {
   return {.pipeline = &pipeline,
           .bindings = &bindings,
           .push_constants = {},
-          .group_count_x = group_count(tile.width),
-          .group_count_y = group_count(tile.height),
+          .group_count_x = blocks_of(tile.width),
+          .group_count_y = blocks_of(tile.height),
           .group_count_z = 1};
 }
 
@@ -62,63 +89,89 @@ void set_dispatch(Buffer& buffer, const DispatchConstants& constants) {
   std::memcpy(buffer.mapped().data(), &constants, sizeof(constants));
 }
 
-/// Buffers and pipeline of the trace kernel, and what it has counted so far.
+/// Buffers and pipelines of the trace and the accumulate kernel, and what they have counted so far.
 class Tracer {
  public:
   Tracer(const Device& device, const GpuScene& scene, SceneLoads loads, const TraceSpecialization& specialization,
          const RenderSettings& settings, Film& film)
       : scene_(scene),
         submitter_(device),
-        tile_(chosen_tile(device.description(), settings)),
+        tile_(chosen_tile(device.description(), settings, film.area(), bytes_per_sample(specialization))),
+        most_samples_(most_samples(tile_, bytes_per_sample(specialization))),
         wanted_ms_(settings.dispatch_ms),
+        invocations_(device.description().is_cpu ? kCpuInvocations : kGpuInvocations),
         film_(film),
         counters_(device, COUNTER_COUNT * 4, BufferUse::storage_host_visible),
-        paths_(device, std::uint64_t(tile_.x) * std::uint64_t(tile_.y) * PATH_WORDS(specialization.path_stack) * 4,
-               BufferUse::storage),
-        no_aovs_(device, 0, BufferUse::storage),
+        paths_(device, std::uint64_t{invocations_} * PATH_BLOCKS(specialization.path_stack) * 16, BufferUse::storage),
+        samples_(device,
+                 jobs_per_sample(tile_) * bytes_per_sample(specialization) *
+                     std::min({most_samples_, kMostSamplesPerPass, settings.sample_end - settings.sample_begin}),
+                 BufferUse::storage),
+        unused_(device, 0, BufferUse::storage),
         dispatch_(dispatch_buffer(device)) {
+    std::vector<Binding> bindings = scene.bindings();
+    bindings.insert(bindings.end(), {{BINDING_FILM, &unused_},
+                                     {BINDING_COUNTERS, &counters_},
+                                     {BINDING_PATHS, &paths_},
+                                     {BINDING_AOVS, &unused_},
+                                     {BINDING_DISPATCH, &dispatch_},
+                                     {BINDING_SAMPLES, &samples_}});
+    trace_ = make_trace_pipeline(device, Kernel::trace, loads, specialization, bindings);
+    trace_bindings_ = BindingSet(device, trace_, bindings);
     for (Film::Band& band : film.bands()) {
-      std::vector<Binding> bindings = scene.bindings();
-      bindings.insert(bindings.end(), {{BINDING_FILM, &band.sums},
-                                       {BINDING_COUNTERS, &counters_},
-                                       {BINDING_PATHS, &paths_},
-                                       {BINDING_AOVS, &no_aovs_},
-                                       {BINDING_DISPATCH, &dispatch_}});
-      if (bindings_.empty()) pipeline_ = make_trace_pipeline(device, Kernel::trace, loads, specialization, bindings);
-      bindings_.emplace_back(device, pipeline_, bindings);
+      const std::vector<Binding> own = {
+          {BINDING_FILM, &band.sums}, {BINDING_DISPATCH, &dispatch_}, {BINDING_SAMPLES, &samples_}};
+      if (accumulate_bindings_.empty()) {
+        accumulate_ = make_trace_pipeline(device, Kernel::accumulate, loads, specialization, own);
+      }
+      accumulate_bindings_.emplace_back(device, accumulate_, own);
     }
-    statistics_.compile_ms = pipeline_.compile_ms();
-    statistics_.device_bytes = counters_.size_bytes() + paths_.size_bytes();
+    statistics_.compile_ms = trace_.compile_ms() + accumulate_.compile_ms();
+    statistics_.device_bytes = counters_.size_bytes() + paths_.size_bytes() + samples_.size_bytes();
   }
 
   std::vector<PixelRect> tiles() const { return schedule_tiles(film_.area(), tile_, film_.band_height()); }
 
-  /// Takes `pass` of `tile` to its end, in as many dispatches as the time budget asks for. False when `stop` said so
-  /// before.
+  std::vector<SamplePass> passes(const RenderSettings& settings) const {
+    return schedule_passes(settings.sample_begin, settings.sample_end, most_samples_);
+  }
+
+  /// Takes `pass` of `tile` to its end, in as many dispatches as the time budget asks for, and adds it to the film. False
+  /// when `stop` said so before; then nothing is added.
   template <typename Stop>
   bool run_tile(const PixelRect& tile, const SamplePass& pass, const Stop& stop) {
-    const auto band_index = static_cast<std::size_t>((tile.y - film_.area().y) / film_.band_height());
-    DispatchConstants constants = tile_constants(scene_, tile, film_.area(), film_.bands()[band_index]);
+    const auto band = static_cast<std::size_t>((tile.y - film_.area().y) / film_.band_height());
+    DispatchConstants constants = tile_constants(scene_, tile, film_.area(), film_.bands()[band]);
     constants.sample_begin = pass.begin;
     constants.sample_end = pass.end;
-    auto live_pixels = static_cast<std::uint32_t>(tile.width * tile.height);
-    while (live_pixels > 0) {
+    const std::uint64_t jobs = jobs_per_sample({tile.width, tile.height}) * pass.length();
+    const auto invocations = static_cast<std::uint32_t>(std::min<std::uint64_t>(invocations_, jobs));
+    std::uint32_t counts[COUNTER_COUNT] = {};
+    do {
       if (stop()) return false;
-      constants.ray_budget = choose_ray_budget(wanted_ms_, ms_per_ray_, live_pixels);
+      constants.search_budget = choose_search_budget(wanted_ms_, ms_per_search_, invocations);
       set_dispatch(dispatch_, constants);
-      live_pixels = run(tile_dispatch(pipeline_, bindings_[band_index], tile), tile);
+      trace(invocations, tile, counts);
       constants.resume = 1;
-    }
+    } while (counts[COUNTER_UNFINISHED] > 0 || counts[COUNTER_NEXT_JOB] < jobs);
+    const Dispatch dispatch = tile_dispatch(accumulate_, accumulate_bindings_[band], tile);
+    statistics_.device_ms += submitter_.run(std::span(&dispatch, 1)).device_ms;
     return true;
   }
 
   const TraceStatistics& statistics() const { return statistics_; }
 
  private:
-  /// Runs one dispatch and books what it did; returns how many pixels want another.
-  std::uint32_t run(const Dispatch& dispatch, const PixelRect& tile) {
-    std::uint32_t counts[COUNTER_COUNT] = {};
+  /// Runs one dispatch and books what it did. `counts`: of the dispatch before, replaced by its own.
+  void trace(std::uint32_t invocations, const PixelRect& tile, std::uint32_t (&counts)[COUNTER_COUNT]) {
+    std::fill(counts, counts + COUNTER_NEXT_JOB, 0u);
     std::memcpy(counters_.mapped().data(), counts, sizeof(counts));
+    const Dispatch dispatch = {.pipeline = &trace_,
+                               .bindings = &trace_bindings_,
+                               .push_constants = {},
+                               .group_count_x = (invocations + kWorkgroup - 1) / kWorkgroup,
+                               .group_count_y = 1,
+                               .group_count_z = 1};
     const SubmissionTime time = submitter_.run(std::span(&dispatch, 1));
     std::memcpy(counts, counters_.mapped().data(), sizeof(counts));
     statistics_.device_ms += time.device_ms;
@@ -127,25 +180,28 @@ class Tracer {
     statistics_.rays.reflection += counts[COUNTER_REFLECTION];
     statistics_.rays.refraction += counts[COUNTER_REFRACTION];
     statistics_.stack_overflows += counts[COUNTER_STACK_OVERFLOWS];
-    const std::uint32_t traced = counts[COUNTER_PRIMARY] + counts[COUNTER_REFLECTION] + counts[COUNTER_REFRACTION];
-    if (traced >= kTrustedRays) ms_per_ray_ = time.device_ms / traced;
+    const std::uint32_t searches =
+        counts[COUNTER_PRIMARY] + counts[COUNTER_SHADOW] + counts[COUNTER_REFLECTION] + counts[COUNTER_REFRACTION];
+    if (searches >= kTrustedSearches) ms_per_search_ = time.device_ms / searches;
     if (counts[COUNTER_UNFINISHED] > 0 && counts[COUNTER_STUCK] == counts[COUNTER_UNFINISHED]) {
       throw Error(ErrorKind::failed,
                   "a ray in the tile at pixel " + std::to_string(tile.x) + "," + std::to_string(tile.y) +
-                      " takes more steps than the driver lets a shader take; try fewer lights or --device");
+                      " takes more steps than the driver lets a shader take; try --device");
     }
-    return counts[COUNTER_UNFINISHED];
   }
 
   const GpuScene& scene_;
   Submitter submitter_;
   glm::ivec2 tile_;
+  std::uint32_t most_samples_;
   double wanted_ms_;
+  std::uint32_t invocations_;
   Film& film_;
-  Buffer counters_, paths_, no_aovs_, dispatch_;
-  ComputePipeline pipeline_;
-  std::vector<BindingSet> bindings_;
-  double ms_per_ray_ = kFirstMsPerRay;  ///< shadow rays included
+  Buffer counters_, paths_, samples_, unused_, dispatch_;
+  ComputePipeline trace_, accumulate_;
+  BindingSet trace_bindings_;
+  std::vector<BindingSet> accumulate_bindings_;
+  double ms_per_search_ = kFirstMsPerSearch;
   TraceStatistics statistics_;
 };
 
@@ -170,7 +226,7 @@ TraceStatistics trace_film(const Device& device, const GpuScene& scene, SceneLoa
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
   const auto stop = [&] { return (callbacks.cancelled && callbacks.cancelled()) || seconds() > settings.time_limit_s; };
   const std::vector<PixelRect> tiles = tracer.tiles();
-  const std::vector<SamplePass> passes = schedule_passes(settings.sample_begin, settings.sample_end);
+  const std::vector<SamplePass> passes = tracer.passes(settings);
   const double sample_count = static_cast<double>(settings.sample_end - settings.sample_begin);
   bool going = true;
   for (std::size_t p = 0; going && p < passes.size(); ++p) {

@@ -5,6 +5,7 @@
 
 #include "shared/effects.h"
 #include "shared/specialization_ids.h"
+#include "spirv/accumulate.h"
 #include "spirv/primary_storage.h"
 #include "spirv/primary_texels.h"
 #include "spirv/trace_storage.h"
@@ -15,6 +16,19 @@ namespace {
 
 /// More waiting rays than that cost registers and memory in every lane; with the default cutoff weights die first.
 constexpr std::uint32_t kLargestPathStack = 64;
+
+std::span<const std::uint32_t> spirv_of(Kernel kernel, SceneLoads loads) {
+  const bool texels = loads == SceneLoads::texels;
+  switch (kernel) {
+    case Kernel::trace:
+      return texels ? kTraceTexelsSpirv : kTraceStorageSpirv;
+    case Kernel::primary:
+      return texels ? kPrimaryTexelsSpirv : kPrimaryStorageSpirv;
+    case Kernel::accumulate:
+      break;
+  }
+  return kAccumulateSpirv;
+}
 
 }  // namespace
 
@@ -36,16 +50,13 @@ TraceSpecialization specialize(std::uint32_t effects, std::uint32_t bvh_depth, s
 
 ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLoads loads,
                                     const TraceSpecialization& specialization, std::span<const Binding> bindings) {
-  const bool texels = loads == SceneLoads::texels;
-  const auto spirv = kernel == Kernel::trace ? (texels ? kTraceTexelsSpirv : kTraceStorageSpirv)
-                                             : (texels ? kPrimaryTexelsSpirv : kPrimaryStorageSpirv);
   const std::array<SpecializationValue, 5> values = {
       SpecializationValue{SPECIALIZATION_EFFECTS, specialization.effects},
       SpecializationValue{SPECIALIZATION_TRAVERSAL_STACK, specialization.traversal_stack},
       SpecializationValue{SPECIALIZATION_SHIFT_STACK, specialization.shift_stack ? 1u : 0u},
       SpecializationValue{SPECIALIZATION_PATH_STACK, specialization.path_stack},
       SpecializationValue{SPECIALIZATION_COUNT_COST, specialization.count_cost ? 1u : 0u}};
-  return ComputePipeline(device, spirv, bindings, 0, values);
+  return ComputePipeline(device, spirv_of(kernel, loads), bindings, 0, values);
 }
 
 std::string trace_spirv_hash(SceneLoads loads) {

@@ -25,8 +25,9 @@ TraceSpecialization specialize(std::uint32_t effects, std::uint32_t bvh_depth, s
 
 /// Which kernel.
 enum class Kernel {
-  trace,   ///< samples into the film
-  primary  ///< AOVs at pixel centres
+  trace,       ///< samples of a pass
+  accumulate,  ///< traced samples into the film
+  primary      ///< AOVs at pixel centres
 };
 
 /// Compiles `kernel` for buffers that are bound like `bindings`.

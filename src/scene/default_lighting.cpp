@@ -14,6 +14,10 @@ constexpr glm::vec3 kFillRadiance(0.10f, 0.105f, 0.115f);
 // Overcast sky over warm dark ground.
 constexpr glm::vec3 kSky(0.27f, 0.30f, 0.35f);
 constexpr glm::vec3 kGround(0.13f, 0.115f, 0.10f);
+// Around lights of the file's own: a third of that, so that shadows stay deep and metals still have something to
+// mirror.
+constexpr glm::vec3 kDimSky(0.085f, 0.098f, 0.12f);
+constexpr glm::vec3 kDimGround(0.045f, 0.040f, 0.036f);
 
 Light directional(const char* name, const Camera& camera, const glm::dvec3& side, const glm::vec3& radiance) {
   Light light;
@@ -33,12 +37,14 @@ bool is_untouched(const Environment& environment) {
 }  // namespace
 
 void add_default_lighting(Scene& scene, const Camera& camera) {
-  if (!scene.lights.empty()) return;
-  scene.lights.push_back(directional("default key", camera, kKeySide, kKeyRadiance));
-  scene.lights.push_back(directional("default fill", camera, kFillSide, kFillRadiance));
+  const bool brings_lights = !scene.lights.empty();
+  if (!brings_lights) {
+    scene.lights.push_back(directional("default key", camera, kKeySide, kKeyRadiance));
+    scene.lights.push_back(directional("default fill", camera, kFillSide, kFillRadiance));
+  }
   if (!is_untouched(scene.environment)) return;
-  scene.environment.sky = kSky;
-  scene.environment.ground = kGround;
+  scene.environment.sky = brings_lights ? kDimSky : kSky;
+  scene.environment.ground = brings_lights ? kDimGround : kGround;
 }
 
 }  // namespace vernier

@@ -25,6 +25,7 @@ std::shared_ptr<const Texels> as_float(std::shared_ptr<const Texels> texels) {
 int add_environment_image(Scene& scene, const std::string& path) {
   std::shared_ptr<const Texels> texels = as_float(decode_texels_from_file(path, TexelEncoding::srgb));
   const Sampler sampler{TEXTURE_WRAP_REPEAT, TEXTURE_WRAP_CLAMP, TEXTURE_FILTER_LINEAR};
+  note_file(scene.files, path);
   scene.textures.push_back({path, sampler, std::move(texels)});
   scene.environment.texture = static_cast<int>(scene.textures.size()) - 1;
   return scene.environment.texture;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "scene/view_side.h"
+
 namespace vernier {
 namespace {
 
@@ -71,6 +73,25 @@ Fit fit_axis(const std::array<glm::dvec3, 8>& corners, const glm::dvec3& axis, c
   return {0.5 * (right - left), 0.5 * (right + left) / slope};
 }
 
+// From the side `z`, which is not vertical.
+Camera fitted_camera(const WorldBounds& box, const glm::dvec3& z, double vertical_fov, double aspect) {
+  const glm::dvec3 x = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), z));
+  const glm::dvec3 y = glm::cross(z, x);
+  // About the middle, so that far boxes lose no digits.
+  const glm::dvec3 middle = 0.5 * box.lo + 0.5 * box.hi;
+  const std::array<glm::dvec3, 8> corners = corners_of({box.lo - middle, box.hi - middle});
+  const double slope = std::tan(0.5 * vertical_fov) / kMargin;
+  const Fit horizontal = fit_axis(corners, x, z, aspect * slope);
+  const Fit vertical = fit_axis(corners, y, z, slope);
+  const double back = std::max(horizontal.back, vertical.back);
+  const glm::dvec3 eye = middle + horizontal.eye * x + vertical.eye * y + back * z;
+  Camera camera;
+  camera.name = "framed";
+  camera.vertical_fov = vertical_fov;
+  camera.world_from_camera = glm::dmat4(glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(z, 0), glm::dvec4(eye, 1));
+  return camera;
+}
+
 }  // namespace
 
 WorldBounds world_bounds(const Scene& scene) {
@@ -93,22 +114,12 @@ WorldBounds world_bounds(const Scene& scene) {
 
 Camera frame_camera(const WorldBounds& bounds, double vertical_fov, double aspect) {
   const WorldBounds box = with_extent(bounds);
-  const glm::dvec3 z = view_side(box);
-  const glm::dvec3 x = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), z));
-  const glm::dvec3 y = glm::cross(z, x);
-  // About the middle, so that far boxes lose no digits.
-  const glm::dvec3 middle = 0.5 * box.lo + 0.5 * box.hi;
-  const std::array<glm::dvec3, 8> corners = corners_of({box.lo - middle, box.hi - middle});
-  const double slope = std::tan(0.5 * vertical_fov) / kMargin;
-  const Fit horizontal = fit_axis(corners, x, z, aspect * slope);
-  const Fit vertical = fit_axis(corners, y, z, slope);
-  const double back = std::max(horizontal.back, vertical.back);
-  const glm::dvec3 eye = middle + horizontal.eye * x + vertical.eye * y + back * z;
-  Camera camera;
-  camera.name = "framed";
-  camera.vertical_fov = vertical_fov;
-  camera.world_from_camera = glm::dmat4(glm::dvec4(x, 0), glm::dvec4(y, 0), glm::dvec4(z, 0), glm::dvec4(eye, 1));
-  return camera;
+  return fitted_camera(box, view_side(box), vertical_fov, aspect);
+}
+
+Camera frame_scene(const Scene& scene, double vertical_fov, double aspect) {
+  const WorldBounds box = with_extent(world_bounds(scene));
+  return fitted_camera(box, choose_view_side(scene, box, view_side(box)), vertical_fov, aspect);
 }
 
 }  // namespace vernier

@@ -22,10 +22,14 @@ WorldBounds world_bounds(const Scene& scene);
 /// side. A box without extent is given 1 metre, an empty one that at the origin.
 Camera frame_camera(const WorldBounds& bounds, double vertical_fov, double aspect);
 
+/// The same for all of `scene`, which has passed validate_scene, but a room that would be seen from outside is seen
+/// through the side where it is open (choose_view_side).
+Camera frame_scene(const Scene& scene, double vertical_fov, double aspect);
+
 /// Adds what a scene without lights and environment is shown with: a directional key from above and beside `camera`,
-/// a weaker fill from its other side and a soft gradient environment. Does nothing where the file brings lights
-/// (then the environment stays black). Without lights an environment that is not black, or an ambient override, stays
-/// as the caller set it and only the lights are added.
+/// a weaker fill from its other side and a soft gradient environment. A scene with lights gets the gradient alone, at a
+/// third of its level: scene files cannot say what is around them, and in black surroundings metals would be black. An
+/// environment that is not black, or an ambient override, stays as the caller set it.
 void add_default_lighting(Scene& scene, const Camera& camera);
 
 }  // namespace vernier

@@ -49,7 +49,7 @@ bool is_fallback_buffer(const json& buffer) {
          buffer.at(fallback).value("fallback", json()) == json(true);
 }
 
-GltfBuffer load_buffer(const GltfDocument& document, const json& json_buffer, std::size_t index,
+GltfBuffer load_buffer(GltfDocument& document, const json& json_buffer, std::size_t index,
                        const GltfContainer& container) {
   const std::string place = "buffer " + std::to_string(index);
   if (!json_buffer.is_object()) refuse_gltf(document, place, "it is not an object");
@@ -72,7 +72,9 @@ GltfBuffer load_buffer(const GltfDocument& document, const json& json_buffer, st
     buffer.bytes = decode_data_uri(uri, full_place);
   } else {
     source = uri;
-    buffer.bytes = read_file_bytes(path_from_uri(uri, document.directory), full_place + ": " + uri, kMaxFileBytes);
+    const std::string path = path_from_uri(uri, document.directory);
+    buffer.bytes = read_file_bytes(path, full_place + ": " + uri, kMaxFileBytes);
+    note_file(document.files, path);
   }
   const std::uint64_t promised = length->get<std::uint64_t>();
   if (promised > buffer.bytes.size()) {

@@ -38,6 +38,7 @@ struct GltfDocument {
   tinygltf::Model model;
   std::vector<GltfBuffer> buffers;
   std::vector<GltfImage> images;
+  std::vector<std::string> files;  ///< read so far, as Scene::files
   std::vector<std::string> warnings;
 };
 

@@ -44,7 +44,7 @@ int image_of(GltfDocument& document, int index) {
   return texture.source;
 }
 
-std::shared_ptr<const Texels> decode_image(const GltfDocument& document, int index, TexelEncoding encoding) {
+std::shared_ptr<const Texels> decode_image(GltfDocument& document, int index, TexelEncoding encoding) {
   const GltfImage& image = document.images[static_cast<std::size_t>(index)];
   const std::string place = "image " + std::to_string(index);
   if (image.uri.empty()) {
@@ -52,7 +52,10 @@ std::shared_ptr<const Texels> decode_image(const GltfDocument& document, int ind
     return decode_texels(gltf_view_bytes(document, image.buffer_view, place), place, encoding);
   }
   if (is_data_uri(image.uri)) return decode_texels(decode_data_uri(image.uri, place), place, encoding);
-  return decode_texels_from_file(path_from_uri(image.uri, document.directory), encoding);
+  const std::string path = path_from_uri(image.uri, document.directory);
+  auto texels = decode_texels_from_file(path, encoding);
+  note_file(document.files, path);
+  return texels;
 }
 
 std::shared_ptr<const Texels> texels_of(GltfDocument& document, int image, TexelEncoding encoding,

@@ -63,6 +63,7 @@ Scene scene_of_document(GltfDocument document) {
   add_materials(document, meshes, scene);
   scene.cameras = gltf_cameras(document, nodes, world_from_node);
   scene.lights = gltf_lights(document, nodes, world_from_node);
+  scene.files = std::move(document.files);
   scene.warnings = std::move(document.warnings);
   return scene;
 }
@@ -70,7 +71,9 @@ Scene scene_of_document(GltfDocument document) {
 }  // namespace
 
 Scene load_gltf(const std::string& path, const LoadOptions& options) {
-  return scene_of_document(read_gltf_document(path, options));
+  Scene scene = scene_of_document(read_gltf_document(path, options));
+  scene.files.insert(scene.files.begin(), path);
+  return scene;
 }
 
 Scene load_gltf_memory(std::span<const std::byte> file, const std::string& name, const LoadOptions& options) {

@@ -41,6 +41,7 @@ Scene load_obj(const std::string& path, const LoadOptions& options) {
   Scene scene;
   scene.source = path;
   const ObjGeometry geometry = parse_obj(path, read_text(path));
+  scene.files.push_back(path);
   if (geometry.shapes.empty()) throw Error(ErrorKind::refused, path + ": no faces");
   for (const std::string& line : geometry.unsupported) warn_unsupported(scene, options, path + ": " + line);
   for (const std::string& line : geometry.faults) scene.warnings.push_back(path + ": " + line);

@@ -38,7 +38,7 @@ glm::dvec3 color_or_map(const std::optional<glm::dvec3>& color, const MtlMateria
 }
 
 bool ambient_is_diffuse(const MtlMaterial& source) {
-  return !source.ambient || *source.ambient == kWhite || source.ambient == source.diffuse;
+  return !source.ambient || *source.ambient == kWhite || *source.ambient == kBlack || source.ambient == source.diffuse;
 }
 
 int illumination_of(const MtlMaterial& source, const std::string& place, std::vector<std::string>& warnings) {
@@ -160,6 +160,7 @@ std::map<std::string, std::uint32_t> load_obj_materials(Scene& scene, const std:
       continue;
     }
     const MtlLibrary library = parse_mtl(read_text(path));
+    note_file(scene.files, path);
     for (const std::string& line : library.unsupported) warn_unsupported(scene, options, path + ": " + line);
     for (const std::string& line : library.faults) scene.warnings.push_back(path + ": " + line);
     for (const MtlMaterial& source : library.materials) {

@@ -50,6 +50,7 @@ int load_texture(Scene& scene, const std::string& path, const MtlTexture& map, M
   const std::uint32_t wrap = map.clamp ? TEXTURE_WRAP_CLAMP : TEXTURE_WRAP_REPEAT;
   try {
     scene.textures.push_back({map.file, {wrap, wrap, TEXTURE_FILTER_LINEAR}, load_texels(path, map, use, wrap)});
+    note_file(scene.files, path);
   } catch (const Error& error) {
     scene.warnings.push_back(std::string(error.what()) + "; the material goes without this texture");
     return -1;

@@ -71,7 +71,8 @@ struct Environment {
 
 /// A scene as loaded: plain values, right-handed, +Y up, metres. Empty vectors are valid.
 struct Scene {
-  std::string source;  ///< the file as the user named it
+  std::string source;              ///< the file as the user named it
+  std::vector<std::string> files;  ///< paths of all files the scene was read from, in that order, each once
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   std::vector<Material> materials;
@@ -81,5 +82,8 @@ struct Scene {
   Environment environment;
   std::vector<std::string> warnings;  ///< one line each: place and what is not supported or was repaired
 };
+
+/// Adds `path`, whose file was read, to `files` unless it is there already.
+void note_file(std::vector<std::string>& files, const std::string& path);
 
 }  // namespace vernier

@@ -14,10 +14,12 @@
 
 #include "error.h"
 #include "image/srgb_curve.h"
+#include "scene/essential_png.h"
 
 namespace vernier {
 namespace {
 
+constexpr std::string_view kPngSignature("\x89PNG\r\n\x1a\n", 8);
 /// Rows read at once: enough to make a call's overhead small.
 constexpr int kBandRows = 64;
 
@@ -117,7 +119,7 @@ bool begins_with(std::span<const std::byte> encoded, std::string_view bytes, std
 // TGA has no signature at its start: it is recognised by the extension of its name alone.
 std::string extension_of(std::span<const std::byte> encoded, const std::string& name) {
   using namespace std::string_view_literals;
-  if (begins_with(encoded, "\x89PNG"sv)) return "png";
+  if (begins_with(encoded, kPngSignature)) return "png";
   if (begins_with(encoded, "\xff\xd8\xff"sv)) return "jpg";
   if (begins_with(encoded, "RIFF"sv) && begins_with(encoded, "WEBP"sv, 8)) return "webp";
   if (begins_with(encoded, "BM"sv)) return "bmp";
@@ -136,14 +138,16 @@ std::string extension_of(std::span<const std::byte> encoded, const std::string& 
 std::shared_ptr<const Texels> decode_texels(std::span<const std::byte> encoded, const std::string& name,
                                             TexelEncoding encoding) {
   if (encoded.empty()) refuse(name, "the image is empty");
+  const std::string extension = extension_of(encoded, name);
+  std::vector<std::byte> png;
+  if (extension == "png" && begins_with(encoded, kPngSignature)) encoded = png = essential_png(encoded, name);
   OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(encoded.data()), encoded.size());
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
   // The reader's own parameter is ignored by OpenImageIO 2.4.7 where there is a configuration too.
   OIIO::Filesystem::IOProxy* proxy = &memory;
   config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-  const std::unique_ptr<OIIO::ImageInput> input =
-      OIIO::ImageInput::open("texture." + extension_of(encoded, name), &config);
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open("texture." + extension, &config);
   if (!input) {
     OIIO::geterror();  // empties OpenImageIO's queue of messages
     refuse(name, "not an image in a format that can be read");

@@ -1,8 +1,12 @@
 """Input that is missing or broken ends with exit code 3 and one line that names the file; nothing is left behind."""
 
+import sys
 import unittest
 
-from program import FAILED, REFUSED, SCENE, SMALL, TRIANGLE_OBJ, USAGE, ProgramTest
+from program import FAILED, REFUSED, SCENE, SCENES, SMALL, TRIANGLE_OBJ, USAGE, ProgramTest
+
+sys.path.insert(0, str(SCENES.parent / "tools"))
+from picture_files.png import encode_png  # noqa: E402
 
 
 class InputTest(ProgramTest):
@@ -38,6 +42,18 @@ class InputTest(ProgramTest):
         self.check_error(REFUSED, "sky.hdr", "render", SCENE, "-o", "out.png", "--background", "sky.hdr", *SMALL)
         self.write("sky.hdr", "not an image")
         self.check_error(REFUSED, "sky.hdr", "explain", SCENE, "--background", "sky.hdr")
+
+    def test_broken_texture_is_one_warning(self):
+        self.write("triangle.obj", "mtllib a.mtl\nusemtl m\n" + TRIANGLE_OBJ)
+        self.write("a.mtl", "newmtl m\nmap_Kd a.png\n")
+        whole = encode_png([[(1, 2, 3), (250, 5, 6)] * 4] * 8, 3)
+        damaged = whole.replace(b"IDAT\x78", b"IDAT\x79")
+        self.assertNotEqual(damaged, whole)
+        for content in [whole[:40], whole[:-20], damaged]:
+            (self.folder / "a.png").write_bytes(content)
+            lines = self.check_done("explain", "triangle.obj").stderr.splitlines()
+            self.assertEqual(len(lines), 1, lines)
+            self.assertRegex(lines[0], r"^warning: .*a\.png: .*PNG.* without this texture")
 
     def test_camera_that_is_not_there(self):
         self.write("triangle.obj", TRIANGLE_OBJ)

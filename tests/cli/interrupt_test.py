@@ -1,4 +1,4 @@
-"""Ctrl-C writes what is done and ends; progress lines go to stderr."""
+"""Ctrl-C writes what is done and ends, in render and in reference; progress lines go to stderr."""
 
 import signal
 import subprocess
@@ -8,11 +8,13 @@ import unittest
 from program import FAILED, PROGRAM, SCENE, ProgramTest
 
 ENDLESS = ["render", SCENE, "-o", "out.png", "--size", "32x32", "--spp", "16000000"]
+# Rows are what the reference counts: many short ones.
+ENDLESS_REFERENCE = ["reference", SCENE, "-o", "out.exr", "--size", "32x8192", "--spp", "4096"]
 
 
 class InterruptTest(ProgramTest):
-    def start(self):
-        return subprocess.Popen([PROGRAM, *ENDLESS], cwd=self.folder, stderr=subprocess.PIPE, text=True)
+    def start(self, arguments):
+        return subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stderr=subprocess.PIPE, text=True)
 
     def wait_for_progress(self, process):
         """Reads stderr up to the first progress line: the render is under way then."""
@@ -23,15 +25,21 @@ class InterruptTest(ProgramTest):
                 return
         self.fail("no progress line")
 
-    def test_first_interrupt_writes_the_image(self):
-        process = self.start()
+    def check_interrupt(self, arguments, name, magic):
+        process = self.start(arguments)
         self.wait_for_progress(process)
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate(timeout=120)
         self.assertEqual(process.returncode, FAILED, errors)
-        self.assertIn("error: out.png: interrupted", errors)
-        self.assertEqual(self.files(), ["out.png"])
-        self.assertTrue((self.folder / "out.png").read_bytes().startswith(b"\x89PNG"))
+        self.assertIn(f"error: {name}: interrupted", errors)
+        self.assertEqual(self.files(), [name])
+        self.assertTrue((self.folder / name).read_bytes().startswith(magic))
+
+    def test_first_interrupt_writes_the_image(self):
+        self.check_interrupt(ENDLESS, "out.png", b"\x89PNG")
+
+    def test_the_reference_is_interrupted_alike(self):
+        self.check_interrupt(ENDLESS_REFERENCE, "out.exr", b"v/1\x01")
 
 
 if __name__ == "__main__":

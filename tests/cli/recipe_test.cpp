@@ -25,7 +25,7 @@ TEST(Recipe, OptionsThatAreGivenAndThoseWithADefault) {
 }
 
 TEST(Recipe, BuiltinSceneHasNoHash) {
-  const auto metadata = render_recipe(SceneArguments{}, RenderArguments{}, {"card", "driver 1", "abc"});
+  const auto metadata = render_recipe(SceneArguments{}, {}, RenderArguments{}, {"card", "driver 1", "abc"});
   EXPECT_EQ(metadata.at("vernier:scene"), "");
   EXPECT_FALSE(metadata.contains("vernier:scene_sha1"));
   EXPECT_EQ(metadata.at("vernier:device"), "card");
@@ -33,12 +33,18 @@ TEST(Recipe, BuiltinSceneHasNoHash) {
   EXPECT_EQ(metadata.at("vernier:spirv_hash"), "abc");
 }
 
-TEST(Sha1OfFile, TestVectorOfFips180) {
-  const std::string path = (std::filesystem::path(testing::TempDir()) / "vernier_sha1_of_abc").string();
-  std::ofstream(path) << "abc";
-  EXPECT_EQ(sha1_of_file(path), "a9993e364706816aba3e25717850c26c9cd0d89d");
-  std::filesystem::remove(path);
-  EXPECT_THROW(sha1_of_file(path), Error);
+// The test vector of FIPS 180, "abc", whole and in two files.
+TEST(Sha1OfFiles, TestVectorOfFips180) {
+  const char* digest = "a9993e364706816aba3e25717850c26c9cd0d89d";
+  const std::string folder = testing::TempDir() + "/vernier_sha1_of_";
+  const std::vector<std::string> whole = {folder + "abc"}, parts = {folder + "a", folder + "bc"};
+  std::ofstream(whole[0]) << "abc";
+  std::ofstream(parts[0]) << "a";
+  std::ofstream(parts[1]) << "bc";
+  EXPECT_EQ(sha1_of_files(whole), digest);
+  EXPECT_EQ(sha1_of_files(parts), digest);
+  for (const std::string& path : {whole[0], parts[0], parts[1]}) std::filesystem::remove(path);
+  EXPECT_THROW(sha1_of_files(whole), Error);
 }
 
 }  // namespace

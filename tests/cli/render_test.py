@@ -1,6 +1,8 @@
 """vernier render: files, statistics, determinism."""
 
+import hashlib
 import json
+import resource
 import unittest
 
 from program import DONE, FAILED, SCENE, SMALL, TRIANGLE_OBJ, ProgramTest
@@ -27,7 +29,15 @@ class RenderTest(ProgramTest):
         self.assertEqual(report["rays"]["primary"], 24 * 16)
         self.assertGreater(report["rays"]["refraction"], 0)
         self.assertEqual(report["peak_memory"].keys(), {"host_bytes", "device_bytes"})
+        # The largest of all programs that this one has run so far.
+        largest = resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss * 1024
         self.assertGreater(report["peak_memory"]["host_bytes"], 1 << 20)
+        self.assertLessEqual(report["peak_memory"]["host_bytes"], largest)
+        self.assertGreater(report["peak_memory"]["device_bytes"], report["bvh"]["bytes"])
+        for name in ["triangles", "instances", "materials", "textures", "load_ms", "upload_ms", "compile_ms",
+                     "trace_device_ms", "trace_wall_ms", "rays_per_s"]:
+            self.assertGreater(report[name], 0, name)
+        self.assertTrue(all(value > 0 for value in report["bvh"].values()), report["bvh"])
         self.assertIsNone(report["error_estimate"])
         self.assertEqual(report["non_finite_pixels"], 0)
         self.assertEqual(len(report["effects"]), 25)
@@ -60,6 +70,16 @@ class RenderTest(ProgramTest):
         data = self.bytes_of("out.png", "--seed", "7")
         for part in [b"vernier:options", b"vernier:scene_sha1", b"vernier:device", b"vernier:spirv_hash"]:
             self.assertIn(part, data)
+
+    def test_the_hash_of_the_scene_covers_the_files_it_refers_to(self):
+        text = "mtllib a.mtl\nusemtl m\n" + TRIANGLE_OBJ
+        self.write("triangle.obj", text)
+        for materials in ["newmtl m\nKd 1 0 0\n", "newmtl m\nKd 0 1 0\n"]:
+            self.write("a.mtl", materials)
+            digest = hashlib.sha1((text + materials).encode()).hexdigest()
+            for command in ["render", "reference"]:
+                self.check_done(command, "triangle.obj", "-o", "out.exr", *SMALL)
+                self.assertIn(digest.encode(), (self.folder / "out.exr").read_bytes())
 
     def test_summary_and_quiet(self):
         result = self.check_done("render", SCENE, "-o", "out.png", *SMALL)

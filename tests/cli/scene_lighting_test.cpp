@@ -11,7 +11,17 @@ TEST(SetLighting, LightsOfTheFileStay) {
   scene.lights.resize(2);
   set_lighting(scene, Camera{}, SceneSettings{});
   EXPECT_EQ(scene.lights.size(), 2u);
+  EXPECT_NE(scene.environment.sky, glm::vec3(0.0f)) << "metals have something to mirror";
+}
+
+TEST(SetLighting, BlackThatIsAskedForStaysBesideLights) {
+  Scene scene = unit_square();
+  scene.lights.resize(1);
+  SceneSettings settings;
+  settings.background_color = glm::vec3(0.0f);
+  set_lighting(scene, Camera{}, settings);
   EXPECT_EQ(scene.environment.sky, glm::vec3(0.0f));
+  EXPECT_EQ(scene.environment.ground, glm::vec3(0.0f));
 }
 
 TEST(SetLighting, LightsOfTheOptionReplaceThem) {
@@ -23,6 +33,18 @@ TEST(SetLighting, LightsOfTheOptionReplaceThem) {
   set_lighting(scene, Camera{}, settings);
   ASSERT_EQ(scene.lights.size(), 1u);
   EXPECT_EQ(scene.lights[0].name, "given");
+}
+
+TEST(SetLighting, LightsOfTheOptionBringTheDimEnvironmentToo) {
+  Scene with_option = unit_square(), with_file = unit_square();
+  with_file.lights.resize(1);
+  set_lighting(with_file, Camera{}, SceneSettings{});
+  SceneSettings settings;
+  settings.lights.resize(1);
+  set_lighting(with_option, Camera{}, settings);
+  EXPECT_NE(with_option.environment.sky, glm::vec3(0.0f));
+  EXPECT_EQ(with_option.environment.sky, with_file.environment.sky);
+  EXPECT_EQ(with_option.environment.ground, with_file.environment.ground);
 }
 
 TEST(SetLighting, DefaultLightsWhereThereAreNone) {

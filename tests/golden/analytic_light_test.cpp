@@ -42,8 +42,8 @@ class MirrorCorridor : public AnalyticScene {};
 
 // Between two mirrors of reflectance r at z = -1 and z = 1 the ray goes to and fro; a lamp-free emission e on both
 // sums to e (1 + r + ... + r^n) for n reflections. The eye looks straight down the corridor.
-TEST_F(MirrorCorridor, SumsTheGeometricSeriesUpToDepth64) {
-  constexpr float kReflectance = 0.875f, kEmission = 0.25f;
+TEST_F(MirrorCorridor, SumsTheGeometricSeriesUpToDepth1000) {
+  constexpr float kReflectance = 0.9921875f, kEmission = 0.015625f;
   Material wall = mirror(kReflectance);
   wall.emission = glm::vec3(kEmission);
   add_rectangle({-9, -9, -1}, {18, 0, 0}, {0, 18, 0}, wall);
@@ -52,7 +52,7 @@ TEST_F(MirrorCorridor, SumsTheGeometricSeriesUpToDepth64) {
   RenderSettings settings;
   settings.width = settings.height = 3;
   settings.cutoff = 0.0f;
-  for (const std::uint32_t depth : {0u, 1u, 2u, 8u, 33u, 64u}) {
+  for (const std::uint32_t depth : {0u, 1u, 2u, 8u, 33u, 64u, 65u, 1000u}) {
     settings.max_bounces = depth;
     const double expected = kEmission * (1.0 - std::pow(kReflectance, depth + 1.0)) / (1.0 - kReflectance);
     const std::vector<float> colors = render(settings);

@@ -29,10 +29,10 @@ nlohmann::json json_of(const std::string& path) {
   return nlohmann::json::parse(std::ifstream(path));
 }
 
-void check_recipe(const GoldenCase& golden) {
+void check_recipe(const GoldenCase& golden, const CaseSetup& setup) {
   const nlohmann::json recipe = json_of(golden_path("images/" + golden.name + ".json"));
   const std::string remedy = golden.name + ": the golden is of another recipe; tools/update_goldens " + golden.name;
-  EXPECT_EQ(recipe.at("scene_sha1"), sha1_of_file(scene_path(golden))) << remedy;
+  EXPECT_EQ(recipe.at("scene_sha1"), sha1_of_files(setup.scene.scene.files)) << remedy;
   EXPECT_EQ(recipe.at("options"), golden.options) << remedy;
   EXPECT_FALSE(recipe.at("reason").get<std::string>().empty());
 }
@@ -54,8 +54,8 @@ void keep_difference(const GoldenCase& golden, const ImageFile& render, const Im
 
 TEST_P(Golden, MatchesTheReference) {
   const GoldenCase& golden = GetParam();
-  check_recipe(golden);
   CaseSetup setup = set_up_case(golden);
+  check_recipe(golden, setup);
   setup.settings.aovs = {"object_id", "primitive_id"};
   const ImageFile render = render_image(device(), setup.scene.scene, setup.scene.camera, setup.settings, {}).image;
   const ImageFile expected = read_image(golden_path("images/" + golden.name + ".exr"));

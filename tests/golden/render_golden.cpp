@@ -36,10 +36,11 @@ ImageFile render_golden(const CaseSetup& setup) {
 
 int run(const std::string& name, const std::string& path) {
   const GoldenCase golden = find_case(name);
-  write_image(path, render_golden(set_up_case(golden)), {});
+  const CaseSetup setup = set_up_case(golden);
+  write_image(path, render_golden(setup), {});
   const nlohmann::ordered_json recipe = {{"case", name},
                                          {"scene", "scenes/" + golden.scene},
-                                         {"scene_sha1", sha1_of_file(scene_path(golden))},
+                                         {"scene_sha1", sha1_of_files(setup.scene.scene.files)},
                                          {"options", golden.options},
                                          {"renderer", std::string("reference of Vernier ") + kVersion}};
   std::cout << recipe.dump(2) << "\n";

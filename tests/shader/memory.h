@@ -14,8 +14,8 @@ namespace vernier::shader {
 struct Memory {
   RenderConstants render{};
   DispatchConstants dispatch{};
-  std::vector<glm::uvec4> records, triangles, vertices, materials, lights, textures;
-  std::vector<std::uint32_t> texels, triangle_ids, film, counters, paths, aovs;
+  std::vector<glm::uvec4> records, triangles, vertices, materials, lights, textures, paths, samples;
+  std::vector<std::uint32_t> texels, triangle_ids, film, counters, aovs;
 };
 
 /// The memory the running thread's shader functions read and write. The test owns it.

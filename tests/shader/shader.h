@@ -102,11 +102,17 @@ uint load_film(uint i) {
 void store_film(uint i, uint word) {
   memory->film.at(i) = word;
 }
-uint load_path(uint i) {
+uvec4 load_path(uint i) {
   return memory->paths.at(i);
 }
-void store_path(uint i, uint word) {
-  memory->paths.at(i) = word;
+void store_path(uint i, uvec4 block) {
+  memory->paths.at(i) = block;
+}
+uvec4 load_sample(uint i) {
+  return memory->samples.at(i);
+}
+void store_sample(uint i, uvec4 block) {
+  memory->samples.at(i) = block;
 }
 void store_aov(uint i, uint word) {
   memory->aovs.at(i) = word;
@@ -114,12 +120,16 @@ void store_aov(uint i, uint word) {
 void add_to_counter(uint i, uint amount) {
   memory->counters.at(i) += amount;
 }
+uint take_job() {
+  return memory->counters.at(COUNTER_NEXT_JOB)++;
+}
 
 // The entry points include the stack first as well: the traversal calls it.
 #include "traversal_stack.glsl"
 // Separate blocks keep their order.
+#include "film.glsl"
 #include "primary.glsl"
-#include "trace_pixel.glsl"
+#include "trace_jobs.glsl"
 
 }  // namespace
 }  // namespace vernier::shader

@@ -8,27 +8,32 @@
 namespace vernier::shader {
 namespace {
 
-/// Film words of the whole image: the trace kernel's text run on the CPU, with at most `ray_budget` rays at a time.
+/// Film words of the whole image: the kernels' text run on the CPU by `invocations` in turn, with at most `search_budget`
+/// searches each at a time.
 inline std::vector<std::uint32_t> film_on_cpu(const PackedScene& packed, const RenderSettings& settings,
-                                              std::uint32_t ray_budget = 1u << 20) {
+                                              std::uint32_t search_budget = 1u << 20, std::uint32_t invocations = 3) {
   Memory scene = memory_of(packed);
   const auto width = static_cast<std::uint32_t>(settings.width), height = static_cast<std::uint32_t>(settings.height);
-  scene.film.assign(std::size_t{FILM_WORDS} * width * height, 0u);
-  scene.paths.assign(std::size_t{PATH_WORDS(PATH_STACK_SIZE)} * width * height, 0u);
   DispatchConstants& dispatch = scene.dispatch;
   dispatch.tile_width = dispatch.band_width = width;
   dispatch.tile_height = height;
   dispatch.sample_begin = settings.sample_begin;
   dispatch.sample_end = settings.sample_end;
-  dispatch.ray_budget = ray_budget;
+  dispatch.search_budget = search_budget;
   const BoundMemory bound(scene);
+  scene.film.assign(std::size_t{FILM_WORDS} * width * height, 0u);
+  scene.paths.assign(std::size_t{PATH_BLOCKS(PATH_STACK_SIZE)} * invocations, uvec4(0u));
+  scene.samples.assign(std::size_t{SAMPLE_BLOCKS(COUNT_COST)} * job_count(), uvec4(0u));
   do {
+    const std::uint32_t next_job = scene.counters[COUNTER_NEXT_JOB];
     scene.counters.assign(COUNTER_COUNT, 0u);
-    for (std::uint32_t y = 0; y < height; ++y) {
-      for (std::uint32_t x = 0; x < width; ++x) trace_pixel(x, y, y * width + x);
-    }
+    scene.counters[COUNTER_NEXT_JOB] = next_job;
+    for (std::uint32_t i = 0; i < invocations; ++i) trace_jobs(i);
     dispatch.resume = 1;
-  } while (scene.counters[COUNTER_UNFINISHED] > 0);
+  } while (scene.counters[COUNTER_UNFINISHED] > 0 || scene.counters[COUNTER_NEXT_JOB] < job_count());
+  for (std::uint32_t y = 0; y < height; ++y) {
+    for (std::uint32_t x = 0; x < width; ++x) accumulate_samples(x, y);
+  }
   return scene.film;
 }
 

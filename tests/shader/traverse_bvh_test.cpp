@@ -44,9 +44,9 @@ Hit brute_force(const Triangles& triangles, const Ray& ray, float t_min, uint af
 }
 
 Hit closest(const Ray& ray, float t_min = 0.0f, uint after = NONE, float t_max = LARGEST_FLOAT) {
-  Hit hit = no_hit(t_max);
-  EXPECT_TRUE(traverse_bvh(ray, t_min, after, false, hit).finished);
-  return hit;
+  const Found found = traverse_bvh(Search(ray, t_min, after, t_max, false));
+  EXPECT_TRUE(found.finished);
+  return found.hit;
 }
 
 /// A ray through the bounds of `triangles`; every fourth is parallel to an axis or a plane, every eighth has a -0.
@@ -115,8 +115,9 @@ TEST(TraverseBvh, any_hit_is_some_opaque_hit_within_reach) {
   for (int i = 0; i < kRays; ++i) {
     const Ray ray = random_ray(random, triangles, i);
     const float t_max = random.in(0.2, 1.2);
-    Hit hit = no_hit(t_max);
-    EXPECT_TRUE(traverse_bvh(ray, 0.0f, NONE, true, hit).finished);
+    const Found found = traverse_bvh(Search(ray, 0.0f, NONE, t_max, true));
+    const Hit hit = found.hit;
+    EXPECT_TRUE(found.finished);
     Hit opaque = no_hit(t_max);
     const ShearedRay sheared = sheared_ray(ray);
     for (const BvhTriangle& t : triangles) {
@@ -124,7 +125,9 @@ TEST(TraverseBvh, any_hit_is_some_opaque_hit_within_reach) {
     }
     if (opaque.triangle != NONE) {
       ASSERT_NE(hit.triangle, NONE);
+      ASSERT_EQ(found.is_opaque, !not_opaque(hit.triangle));
     } else {
+      ASSERT_FALSE(found.is_opaque);
       // Only what lets light pass is there: the closest of it comes back.
       ASSERT_EQ(hit.triangle, brute_force(triangles, ray, 0.0f, NONE, t_max).triangle);
     }
@@ -143,17 +146,16 @@ TEST(TraverseBvh, both_stacks_take_the_same_steps) {
     COUNT_COST = true;
     for (int i = 0; i < kRays / 4; ++i) {
       const Ray ray = random_ray(random, triangles, i);
-      Hit hit[2] = {no_hit(LARGEST_FLOAT), no_hit(LARGEST_FLOAT)};
-      TraversalCost cost[2];
+      Found found[2];
       for (int shift = 0; shift < 2; ++shift) {
         SHIFT_STACK = shift == 1;
-        cost[shift] = traverse_bvh(ray, 0.0f, NONE, false, hit[shift]);
+        found[shift] = traverse_bvh(Search(ray, 0.0f, NONE, LARGEST_FLOAT, false));
       }
-      ASSERT_EQ(hit[0].triangle, hit[1].triangle) << name;
-      ASSERT_EQ(hit[0].t, hit[1].t);
-      ASSERT_EQ(cost[0].nodes, cost[1].nodes);
-      ASSERT_EQ(cost[0].triangles, cost[1].triangles);
-      ASSERT_GE(cost[0].nodes, 1u) << name;
+      ASSERT_EQ(found[0].hit.triangle, found[1].hit.triangle) << name;
+      ASSERT_EQ(found[0].hit.t, found[1].hit.t);
+      ASSERT_EQ(found[0].nodes, found[1].nodes);
+      ASSERT_EQ(found[0].triangles, found[1].triangles);
+      ASSERT_GE(found[0].nodes, 1u) << name;
     }
     COUNT_COST = false;
     SHIFT_STACK = false;

@@ -24,9 +24,8 @@ int misses(float scale, const vec3& offset, std::uint32_t seed, const AimAt& aim
     const vec3 aim = aim_at(random, mesh.positions[t.x] * scale + offset, mesh.positions[t.y] * scale + offset);
     // Star-shaped around the origin and nowhere nearer than 0.7.
     const vec3 origin = random.in_cube() * (0.3f * scale) + offset;
-    Hit hit = no_hit(LARGEST_FLOAT);
-    traverse_bvh(Ray(origin, aim - origin), 0.0f, NONE, false, hit);
-    missed += hit.triangle == NONE ? 1 : 0;
+    const Found found = traverse_bvh(Search(Ray(origin, aim - origin), 0.0f, NONE, LARGEST_FLOAT, false));
+    missed += found.hit.triangle == NONE ? 1 : 0;
   }
   return missed;
 }

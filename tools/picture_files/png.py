@@ -43,9 +43,15 @@ def encode_rgb(rows: list[bytes]) -> bytes:
     return assembled(len(rows[0]) // 3, len(rows), 2, b"", b"".join(b"\0" + row for row in rows))
 
 
-def assembled(width: int, height: int, color_type: int, palette: bytes, raw: bytes) -> bytes:
-    """The file around `raw`, the filtered lines; `palette` is a whole chunk or nothing."""
-    header = struct.pack(">IIBBBBB", width, height, 8, color_type, 0, 0, 0)
+def encode_deep_rgb(rows: list[list[tuple]]) -> bytes:
+    """PNG of 16 bits a channel of `rows` [height][width] of three values in 0..65535."""
+    lines = [struct.pack(f">{3 * len(row)}H", *(value for pixel in row for value in pixel)) for row in rows]
+    return assembled(len(rows[0]), len(rows), 2, b"", b"".join(b"\0" + line for line in lines), 16)
+
+
+def assembled(width: int, height: int, color_type: int, palette: bytes, raw: bytes, depth: int = 8) -> bytes:
+    """The file around `raw`, the filtered lines of `depth` bits a channel; `palette` is a whole chunk or nothing."""
+    header = struct.pack(">IIBBBBB", width, height, depth, color_type, 0, 0, 0)
     return (SIGNATURE + chunk(b"IHDR", header) + palette + chunk(b"IDAT", zlib.compress(raw, 9)) +
             chunk(b"IEND", b""))
 

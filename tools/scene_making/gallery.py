@@ -17,8 +17,8 @@ def hall(scene: SceneFile):
     floor = scene.add_material("polished marble", texture=marble, roughness=0.06)
     wall = scene.add_material("wall", (0.46, 0.16, 0.14))
     ceiling = scene.add_material("ceiling", (0.78, 0.76, 0.72))
-    lamp = scene.add_material("lamps", (0, 0, 0), emissiveFactor=[1.0, 0.93, 0.82],
-                              extensions={"KHR_materials_emissive_strength": {"emissiveStrength": 1.6}})
+    lamp = scene.add_material("lamps", (0, 0, 0), emissiveFactor=[0.85, 0.79, 0.70],
+                              extensions={"KHR_materials_emissive_strength": {"emissiveStrength": 1.15}})
     length, middle = NEAR - FAR, (NEAR + FAR) / 2
     ground = meshes.quad((0, 0, middle), (2 * HALF_WIDTH, 0, 0), (0, 0, -length))
     ground.uvs = [(2 * HALF_WIDTH / 1.5 * u, length / 1.5 * v) for u, v in ground.uvs]
@@ -99,7 +99,7 @@ def lights(scene: SceneFile):
         scene.add_light(f"spot {number}", "spot", (1.0, 0.92, 0.80), 13.0, at=(x * 0.55, HEIGHT - 0.15, z + 0.9),
                         towards=(x, 1.2, z), spot={"innerConeAngle": 0.25, "outerConeAngle": 0.5})
     for number, z in enumerate((1.6, -2.2, -6.0)):
-        scene.add_light(f"room {number}", "point", (1.0, 0.95, 0.88), 4.5, at=(0, HEIGHT - 0.5, z))
+        scene.add_light(f"room {number}", "point", (1.0, 0.95, 0.88), 4.2, at=(0, HEIGHT - 1.2, z))
 
 
 def gallery() -> bytes:

@@ -2,7 +2,7 @@
 
 import math
 
-from picture_files.png import encode_png
+from picture_files.png import encode_deep_rgb, encode_png
 
 # A face of 5 x 7 dots; each number is a row, the highest of five bits the left dot.
 LETTERS = {
@@ -17,14 +17,14 @@ LETTERS = {
 }
 
 
-def eight_bit(value: float) -> int:
-    """`value` of [0, 1] as 0..255; what lies outside is clamped. Rounded first, so that no last place decides."""
-    return min(255, max(0, math.floor(round(value * 255, 6) + 0.5)))
+def whole_number(value: float, largest: int) -> int:
+    """`value` of [0, 1] as 0..largest; what lies outside is clamped. Rounded first, so that no last place decides."""
+    return min(largest, max(0, math.floor(round(value * largest, 6) + 0.5)))
 
 
 def picture(width: int, height: int, color_of, channels: int = 3) -> bytes:
     """PNG of color_of(u, v), u and v the texel centres in (0, 1), v downwards; tuples of `channels` in [0, 1]."""
-    return encode_png([[tuple(eight_bit(value) for value in color_of((x + 0.5) / width, (y + 0.5) / height))
+    return encode_png([[tuple(whole_number(value, 255) for value in color_of((x + 0.5) / width, (y + 0.5) / height))
                         for x in range(width)] for y in range(height)], channels)
 
 
@@ -33,8 +33,8 @@ def checker(first, second, squares: int = 2, size: int = 64) -> bytes:
     return picture(size, size, lambda u, v: second if (int(u * squares) + int(v * squares)) % 2 else first)
 
 
-def normal_map(size: int, height_of, strength: float) -> bytes:
-    """Tangent-space normals (green up, as glTF has it) of height_of(u, v), which repeats with period 1."""
+def normals_of(size: int, height_of, strength: float):
+    """Tangent-space normals (green up, as glTF has it) as colours of (u, v), for height_of(u, v) of period 1."""
     step = 0.5 / size
 
     def normal_of(u, v):
@@ -42,7 +42,19 @@ def normal_map(size: int, height_of, strength: float) -> bytes:
         slope_v = (height_of(u, v + step) - height_of(u, v - step)) / (2 * step) * strength
         length = math.sqrt(slope_u * slope_u + slope_v * slope_v + 1)
         return (0.5 - 0.5 * slope_u / length, 0.5 + 0.5 * slope_v / length, 0.5 + 0.5 / length)
-    return picture(size, size, normal_of)
+    return normal_of
+
+
+def normal_map(size: int, height_of, strength: float) -> bytes:
+    """PNG of normals_of, 8 bits a channel."""
+    return picture(size, size, normals_of(size, height_of, strength))
+
+
+def deep_normal_map(size: int, height_of, strength: float) -> bytes:
+    """PNG of normals_of, 16 bits a channel: in 8 the gentlest slopes are steps."""
+    normal_of = normals_of(size, height_of, strength)
+    return encode_deep_rgb([[tuple(whole_number(value, 65535) for value in normal_of((x + 0.5) / size, (y + 0.5) / size))
+                             for x in range(size)] for y in range(size)])
 
 
 def noise(x: int, y: int) -> float:

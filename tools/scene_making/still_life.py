@@ -44,10 +44,10 @@ def spheres(scene: SceneFile):
 
 
 def pedestal(scene: SceneFile):
-    """A short column of carved stone: normal map, and the occlusion in its grooves."""
+    """A short column of carved stone: normal map of 16 bits a channel, and the occlusion in its grooves."""
     def relief(u, v):
         return 0.5 + 0.25 * math.cos(2 * math.pi * (u + v)) + 0.25 * math.cos(2 * math.pi * (u - v))
-    carved = scene.add_texture(scene.add_image(pictures.normal_map(64, relief, 0.14), "carving"))
+    carved = scene.add_texture(scene.add_image(pictures.deep_normal_map(64, relief, 0.14), "carving"))
     hollows = scene.add_texture(scene.add_image(
         pictures.picture(64, 64, lambda u, v: (0.35 + 0.65 * relief(u, v),), 1), "hollows"))
     stone = scene.add_material("carved limestone", (0.72, 0.66, 0.58), roughness=0.75,

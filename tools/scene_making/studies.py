@@ -138,11 +138,11 @@ def light_types() -> bytes:
         x = 2.0 * index - 3.0
         scene.add_node(f"bay, {name}", mesh=bay, translation=[x, 0, 0])
         scene.add_node(f"ball, {name}", mesh=ball, translation=[x, 0.35, -0.2])
-    scene.add_light("point", "point", (1, 0.9, 0.8), 4.0, at=(-3.4, 1.5, 0.3))
-    scene.add_light("spot", "spot", (1, 1, 1), 7.0, at=(-1.0, 1.8, 0.6), towards=(-1.0, 0.2, -0.3),
+    scene.add_light("point", "point", (1, 0.9, 0.8), 2.2, at=(-3.0, 1.2, 0.45))
+    scene.add_light("spot", "spot", (1, 1, 1), 9.0, at=(-1.0, 1.8, 0.6), towards=(-1.0, 0.2, -0.3),
                     spot={"innerConeAngle": 0.25, "outerConeAngle": 0.5})
     # From the front and below the ceilings: it reaches every bay, which is what sunlight does.
-    scene.add_light("directional", "directional", (0.7, 0.85, 1.0), 0.5, towards=(0.25, -0.35, -1.0))
-    scene.add_light("range", "point", (0.9, 1, 0.8), 5.0, at=(3.3, 1.3, 0.4), range=1.4)
+    scene.add_light("directional", "directional", (0.7, 0.85, 1.0), 0.7, towards=(0.25, -0.35, -1.0))
+    scene.add_light("range", "point", (0.9, 1, 0.8), 2.6, at=(3.0, 1.1, 0.4), range=1.4)
     scene.add_camera("view", (0, 1.2, 8.5), (0, 0.95, 0), degrees=32)
     return scene.to_bytes()

@@ -29,5 +29,12 @@ TEST(ForEachRow, PassesExceptionsOn) {
   EXPECT_THROW(for_each_row(10, 2, fail, {}), std::runtime_error);
 }
 
+TEST(ForEachRow, BeginsNoRowOnceCancelled) {
+  int count = 0;
+  for_each_row(
+      20, 1, [&](int) { ++count; }, {}, [&] { return count == 7; });
+  EXPECT_EQ(count, 7);
+}
+
 }  // namespace
 }  // namespace vernier::reference

@@ -92,6 +92,11 @@ TEST(Radiance, ParallelMirrorsGiveAGeometricSeries) {
     const double expected = (1.0 - std::pow(0.5, bounces + 1.0)) / 0.5;
     expect_near(seen(scene, {0.1, 0.2, 0}, {0.01, 0, -1}, {bounces, 0.0}), glm::dvec3(expected), 1e-14);
   }
+  scene.materials[0].reflection = glm::vec3(0x0.ffcp0f);
+  constexpr double kReflectance = 1.0 - 0x1p-10;
+  const double deep = (1.0 - std::pow(kReflectance, 1001.0)) * 0x1p10;
+  expect_near(seen(scene, {0.1, 0.2, 0}, {0, 0, -1}, {1000, 0.0}), glm::dvec3(deep), 1e-11 * deep);
+  scene.materials[0].reflection = glm::vec3(0.5f);
   // Weights 1, 1/2, 1/4, 1/8 are traced, 1/16 is below the cutoff; a weight at the cutoff is not.
   expect_near(seen(scene, {0.1, 0.2, 0}, {0.01, 0, -1}, {50, 0.1}), glm::dvec3(1.875), 1e-14);
   expect_near(seen(scene, {0.1, 0.2, 0}, {0.01, 0, -1}, {50, 0.125}), glm::dvec3(1.875), 1e-14);

@@ -131,6 +131,25 @@ TEST(RenderReference, ThreadsChangeNothing) {
   for (const Layer& of_one : one.layers) EXPECT_EQ(of_one.values, layer(five, of_one.name).values) << of_one.name;
 }
 
+// Within row 3: what was finished is kept, the pixel under way is not.
+TEST(RenderReference, CancelledItKeepsThePixelsThatAreDone) {
+  ReferenceSettings settings = small(4);
+  settings.thread_count = 1;
+  const Scene scene = floor_scene();
+  const std::size_t done_count = 3 * 24 + 5;
+  std::size_t calls = 0;
+  ReferenceCallbacks callbacks;
+  // One question before each row and each sample.
+  callbacks.cancelled = [&] { return ++calls > 4 + 4 * done_count + 2; };
+  const ImageFile part = render_reference(scene, high_camera(), settings, callbacks);
+  const ImageFile whole = render_reference(scene, high_camera(), settings, {});
+  const std::vector<float>&colors = floats(part, ""), &all = floats(whole, "");
+  ASSERT_GT(all[4 * done_count + 3], 0.0f);
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(colors[i], i < 4 * done_count ? all[i] : 0.0f) << i;
+  EXPECT_EQ(ids(part, "object_id").at(done_count - 1), 0u);
+  EXPECT_EQ(ids(part, "object_id").at(done_count), 0xFFFFFFFFu);
+}
+
 TEST(RenderReference, RefusesSettingsWithoutAnImage) {
   const auto refused = [](auto change) {
     ReferenceSettings settings = small(1);

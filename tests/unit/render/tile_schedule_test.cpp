@@ -56,7 +56,7 @@ TEST(SamplePasses, follow_one_another_and_grow_to_sixteen) {
        std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 1}, {0, 100}, {7, 9}, {5, 1000}}) {
     std::uint32_t next = begin;
     std::uint32_t length = 0;
-    for (const SamplePass& pass : schedule_passes(begin, end)) {
+    for (const SamplePass& pass : schedule_passes(begin, end, 100)) {
       EXPECT_EQ(pass.begin, next);
       EXPECT_GT(pass.end, pass.begin);
       EXPECT_LE(pass.end - pass.begin, 16u);
@@ -66,19 +66,21 @@ TEST(SamplePasses, follow_one_another_and_grow_to_sixteen) {
     }
     EXPECT_EQ(next, end);
   }
-  EXPECT_TRUE(schedule_passes(4, 4).empty());
-  EXPECT_EQ(schedule_passes(0, 16).size(), 3u);  // 1, 4, 11
+  EXPECT_TRUE(schedule_passes(4, 4, 100).empty());
+  EXPECT_EQ(schedule_passes(0, 16, 100).size(), 3u);  // 1, 4, 11
+  EXPECT_EQ(schedule_passes(0, 16, 5).size(), 5u);    // 1, 4, 5, 5, 1
+  EXPECT_EQ(schedule_passes(0, 3, 1).size(), 3u);
 }
 
-TEST(RayBudget, spreads_the_time_wanted_over_the_pixels) {
-  EXPECT_EQ(choose_ray_budget(100.0, 0.5, 1), 200u);
-  EXPECT_EQ(choose_ray_budget(100.0, 0.5, 20), 10u);
-  EXPECT_EQ(choose_ray_budget(100.0, 0.5, 0), 200u);
+TEST(SearchBudget, spreads_the_time_wanted_over_the_invocations) {
+  EXPECT_EQ(choose_search_budget(100.0, 0.5, 1), 200u);
+  EXPECT_EQ(choose_search_budget(100.0, 0.5, 20), 10u);
+  EXPECT_EQ(choose_search_budget(100.0, 0.5, 0), 200u);
 }
 
-TEST(RayBudget, stays_in_its_bounds) {
-  EXPECT_EQ(choose_ray_budget(1e-3, 1.0, 4096), 1u);
-  EXPECT_EQ(choose_ray_budget(1e9, 1e-6, 1), 1u << 20);
+TEST(SearchBudget, stays_in_its_bounds) {
+  EXPECT_EQ(choose_search_budget(1e-3, 1.0, 4096), 1u);
+  EXPECT_EQ(choose_search_budget(1e9, 1e-6, 1), 1u << 20);
 }
 
 }  // namespace

@@ -120,12 +120,27 @@ TEST(DefaultLighting, LightsOfTheFileAndAChosenEnvironmentStay) {
   lit.lights.emplace_back();
   add_default_lighting(lit, Camera{});
   EXPECT_EQ(lit.lights.size(), 1u);
-  EXPECT_EQ(lit.environment.sky, glm::vec3(0.0f));
   Scene chosen;
   chosen.environment.ground = glm::vec3(0.5f);
   add_default_lighting(chosen, Camera{});
   EXPECT_EQ(chosen.lights.size(), 2u);
   EXPECT_EQ(chosen.environment.sky, glm::vec3(0.0f));
+  chosen.lights.resize(1);
+  add_default_lighting(chosen, Camera{});
+  EXPECT_EQ(chosen.environment.sky, glm::vec3(0.0f));
+  EXPECT_EQ(chosen.environment.ground, glm::vec3(0.5f));
+}
+
+TEST(DefaultLighting, AroundLightsTheEnvironmentIsDim) {
+  Scene unlit, lit;
+  add_default_lighting(unlit, Camera{});
+  lit.lights.emplace_back();
+  add_default_lighting(lit, Camera{});
+  for (const int channel : {0, 1, 2}) {
+    EXPECT_GT(lit.environment.sky[channel], lit.environment.ground[channel]);
+    EXPECT_GT(lit.environment.ground[channel], 0.02f);
+    EXPECT_LT(lit.environment.sky[channel], 0.5f * unlit.environment.sky[channel]);
+  }
 }
 
 }  // namespace

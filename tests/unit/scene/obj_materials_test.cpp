@@ -55,7 +55,8 @@ TEST(ObjMaterials, AbsentIlluminationFollowsTheHighlight) {
 TEST(ObjMaterials, AmbientColour) {
   EXPECT_EQ(material_of("Kd 0.5 0.25 0").ambient, glm::vec3(0.5f, 0.25f, 0.0f));
   EXPECT_EQ(material_of("Kd 0.5 0.25 0\nKa 1 1 1").ambient, glm::vec3(0.5f, 0.25f, 0.0f));
-  EXPECT_EQ(material_of("Kd 0.5 0.25 0\nKa 0 0 0").ambient, glm::vec3(0.0f));
+  EXPECT_EQ(material_of("Kd 0.5 0.25 0\nKa 0 0 0").ambient, glm::vec3(0.5f, 0.25f, 0.0f));
+  EXPECT_EQ(material_of("Kd 0.5 0.25 0\nKa 0.01 0 0").ambient, glm::vec3(0.01f, 0.0f, 0.0f));
   EXPECT_EQ(material_of("Kd 0.5 0.25 0\nKa 0.75").ambient, glm::vec3(0.75f));
 }
 

@@ -41,6 +41,14 @@ class Png(unittest.TestCase):
         self.assertEqual(png.decode_png(png.encode_rgb(rows))[3], rows)
 
 
+    def test_deep_rows(self):
+        content = png.encode_deep_rgb([[(1, 256, 65535), (0, 2, 3)]])
+        at = content.index(b"IDAT")
+        size, = struct.unpack(">I", content[at - 4:at])
+        self.assertEqual(struct.unpack(">IIBB", content[16:26]), (2, 1, 16, 2))
+        self.assertEqual(zlib.decompress(content[at + 4:at + 4 + size]), b"\0\0\1\1\0\xff\xff\0\0\0\2\0\3")
+
+
 class Textures(unittest.TestCase):
     def test_a_flat_relief_points_up(self):
         self.assertEqual(set(png_pixels(pictures.normal_map(4, lambda u, v: 0.3, 1.0))), {(128, 128, 255)})

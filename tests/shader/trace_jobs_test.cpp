@@ -13,7 +13,7 @@ std::vector<float> color_on_cpu(const Scene& scene, const Camera& camera, const 
   return develop(film_on_cpu(packed, settings), {0, 0, settings.width, settings.height}).color;
 }
 
-TEST(TracePixel, a_picture_of_every_effect_is_the_reference_s) {
+TEST(TraceJobs, a_picture_of_every_effect_is_the_reference_s) {
   const RenderSettings settings = test::small_image(24, 24, 4);
   const Scene scene = test::tiny_scene();
   const std::vector<float> color = color_on_cpu(scene, test::camera_at(3.5), settings);
@@ -33,14 +33,36 @@ TEST(TracePixel, a_picture_of_every_effect_is_the_reference_s) {
   EXPECT_LE(different, static_cast<int>(color.size()) / 100);
 }
 
-TEST(TracePixel, any_ray_budget_gives_the_same_bits) {
+TEST(TraceJobs, any_search_budget_gives_the_same_bits) {
   const RenderSettings settings = test::small_image(12, 12, 4);
   const PackedScene packed = test::packed_for(test::tiny_scene(), test::camera_at(3.5), settings);
   const std::vector<std::uint32_t> film = film_on_cpu(packed, settings);
   for (std::uint32_t budget : {1u, 2u, 7u}) EXPECT_EQ(film_on_cpu(packed, settings, budget), film) << budget;
 }
 
-TEST(TracePixel, the_effects_a_scene_asks_for_give_the_bits_of_all_of_them) {
+TEST(TraceJobs, any_number_of_invocations_gives_the_same_bits) {
+  const RenderSettings settings = test::small_image(11, 9, 3);  // blocks of 8 are not full
+  const PackedScene packed = test::packed_for(test::tiny_scene(), test::camera_at(3.5), settings);
+  const std::vector<std::uint32_t> film = film_on_cpu(packed, settings, 5, 1);
+  for (std::uint32_t invocations : {2u, 64u, 1000u}) {
+    EXPECT_EQ(film_on_cpu(packed, settings, 5, invocations), film) << invocations;
+  }
+}
+
+TEST(TraceJobs, costs_are_counted_whatever_the_budget) {
+  COUNT_COST = true;
+  const RenderSettings settings = test::small_image(8, 8, 2);
+  const PackedScene packed = test::packed_for(test::tiny_scene(), test::camera_at(3.5), settings);
+  const std::vector<std::uint32_t> film = film_on_cpu(packed, settings);
+  EXPECT_EQ(film_on_cpu(packed, settings, 1), film);
+  for (std::size_t pixel = 0; pixel < 64; ++pixel) {
+    EXPECT_GE(film[pixel * FILM_WORDS + FILM_RAYS], 2u);
+    EXPECT_GE(film[pixel * FILM_WORDS + FILM_NODES], film[pixel * FILM_WORDS + FILM_RAYS]);
+  }
+  COUNT_COST = false;
+}
+
+TEST(TraceJobs, the_effects_a_scene_asks_for_give_the_bits_of_all_of_them) {
   const RenderSettings settings = test::small_image(12, 12, 4);
   Scene scene = test::tiny_scene();
   scene.materials[2].absorption = glm::vec3(0);
@@ -54,7 +76,7 @@ TEST(TracePixel, the_effects_a_scene_asks_for_give_the_bits_of_all_of_them) {
   EFFECTS = 0xffffffffu;
 }
 
-TEST(TracePixel, ranges_of_samples_add_up) {
+TEST(TraceJobs, ranges_of_samples_add_up) {
   RenderSettings settings = test::small_image(8, 8, 8);
   const PackedScene packed = test::packed_for(test::tiny_scene(), test::camera_at(3.5), settings);
   const std::vector<std::uint32_t> whole = film_on_cpu(packed, settings);
@@ -73,7 +95,7 @@ TEST(TracePixel, ranges_of_samples_add_up) {
   }
 }
 
-TEST(TracePixel, a_diffuse_square_by_hand) {
+TEST(TraceJobs, a_diffuse_square_by_hand) {
   // One square at z = 0 under a light along -Z of 2 lux: kd 2 / pi; under the sky 0.5 all around: ka = kd.
   Scene scene;
   Material& paint = test::add_black(scene);
@@ -88,7 +110,7 @@ TEST(TracePixel, a_diffuse_square_by_hand) {
   }
 }
 
-TEST(TracePixel, an_empty_scene_is_its_environment) {
+TEST(TraceJobs, an_empty_scene_is_its_environment) {
   Scene scene;
   scene.environment.sky = scene.environment.ground = glm::vec3(0.25f, 0.5f, 2.0f);
   const std::vector<float> color = color_on_cpu(scene, test::camera_at(2), test::small_image(2, 2, 4));

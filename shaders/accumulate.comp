@@ -1,0 +1,15 @@
+#version 460
+#extension GL_GOOGLE_include_directive : require
+#extension GL_EXT_scalar_block_layout : require
+
+#include "shared/glsl.h"
+#include "specialization.glsl"
+#include "buffers.glsl"
+#include "film.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+
+void main() {
+  if (gl_GlobalInvocationID.x >= dispatch.tile_width || gl_GlobalInvocationID.y >= dispatch.tile_height) return;
+  accumulate_samples(gl_GlobalInvocationID.x, gl_GlobalInvocationID.y);
+}
