@@ -5,7 +5,7 @@
 #include "shared/glsl.h"
 #include "specialization.glsl"
 #include "buffers.glsl"
-#include "film.glsl"
+#include "accumulate_samples.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
 

@@ -52,9 +52,18 @@ layout(set = 0, binding = BINDING_SAMPLES, scalar) buffer Samples { uvec4 sample
 layout(set = 0, binding = BINDING_AOVS, scalar) buffer Aovs { uint aov_words[]; };
 
 RenderConstants render_constants() { return render; }
+
+// llvmpipe reads a word of a storage buffer lane by lane every time: there an invocation keeps a copy from its start on.
+#ifdef LOADS_TEXELS
+DispatchConstants own_dispatch;
+void keep_constants() { own_dispatch = dispatch; }
+DispatchConstants dispatch_constants() { return own_dispatch; }
+#else
+void keep_constants() {}
 DispatchConstants dispatch_constants() { return dispatch; }
-SteeringConstants steering_constants() { return dispatch.steering; }
-bool scene_has_triangles() { return dispatch.steering.triangle_count > 0u; }
+#endif
+SteeringConstants steering_constants() { return dispatch_constants().steering; }
+bool scene_has_triangles() { return steering_constants().triangle_count > 0u; }
 
 uint load_film(uint i) { return film_words[i]; }
 void store_film(uint i, uint word) { film_words[i] = word; }
@@ -67,6 +76,7 @@ void store_aov(uint i, uint word) { aov_words[i] = word; }
 void add_to_counter(uint i, uint amount) {
   if (amount > 0u) atomicAdd(counters[i], amount);
 }
+uint load_counter(uint i) { return counters[i]; }
 // The next job of the dispatch that nobody has taken; past the last one there is none.
 uint take_job() { return atomicAdd(counters[COUNTER_NEXT_JOB], 1u); }
 

@@ -27,7 +27,10 @@ vec3 reflected_light(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) 
 bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_viewer, INOUT(LightVisit) visit, INOUT(vec3) sum) {
   uint light_count = steering_constants().light_count;
   bool found = false;
-  for (uint i = 0u; !found && visit.next_light < light_count && i < LIGHT_STEP_LIMIT; i++) {
+  // One variable decides, and lights_are_done() works its answer out by itself: a compiler that sees the loop end on a
+  // comparison takes the outcome for granted behind it, where llvmpipe may have left the loop without.
+  bool looking = visit.next_light < light_count;
+  for (uint i = 0u; looking && i < LIGHT_STEP_LIMIT; i++) {
     LightSample light = sample_light(fetch_light(visit.next_light), surface.position);
     visit.next_light++;
     float cosine = dot_product(surface.normal, light.direction);
@@ -46,6 +49,7 @@ bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_vi
       visit.value = reflected;
       visit.optical_depth = vec3(0.0f);
     }
+    looking = !found && visit.next_light < light_count;
   }
   return found;
 }

@@ -2,8 +2,6 @@
 #ifndef VERNIER_FILM_GLSL
 #define VERNIER_FILM_GLSL
 
-#include "job.glsl"
-#include "path.glsl"
 #include "rounding.glsl"
 #include "shared/film_layout.h"
 
@@ -91,25 +89,6 @@ void store_pixel_sum(IN(uint) pixel, IN(PixelSum) sum) {
   store_film(first + FILM_RAYS, sum.rays);
   store_film(first + FILM_NODES, sum.nodes);
   store_film(first + FILM_TRIANGLES, sum.triangles);
-}
-
-// Adds the traced samples of the pass at pixel (x, y) of the tile to the film.
-void accumulate_samples(IN(uint) x, IN(uint) y) {
-  DispatchConstants constants = dispatch_constants();
-  uint pixel = (constants.tile_y + y - constants.band_y) * constants.band_width + (constants.tile_x + x - constants.band_x);
-  PixelSum sum = load_pixel_sum(pixel);
-  uint first = first_job_of(x, y);
-  for (uint i = 0u; i < samples_of_pass(); i++) {
-    uvec4 traced = load_sample((first + i) * SAMPLE_BLOCKS(COUNT_COST));
-    add_sample(sum, vector_of(traced), (traced.w & SAMPLE_HIT) != 0u, constants.sample_begin + i);
-    sum.rays += traced.w & ~SAMPLE_HIT;
-    if (COUNT_COST) {
-      uvec4 cost = load_sample((first + i) * SAMPLE_BLOCKS(COUNT_COST) + 1u);
-      sum.nodes += cost.x;
-      sum.triangles += cost.y;
-    }
-  }
-  store_pixel_sum(pixel, sum);
 }
 
 #endif

@@ -17,6 +17,7 @@ uint blocks_of(IN(uint) pixels) { return (pixels + BLOCK_SIDE - 1u) / BLOCK_SIDE
 
 uint samples_of_pass() { return dispatch_constants().sample_end - dispatch_constants().sample_begin; }
 
+// Jobs of the dispatch, those of incomplete blocks that have no pixel counted too.
 uint job_count() {
   DispatchConstants constants = dispatch_constants();
   return blocks_of(constants.tile_width) * blocks_of(constants.tile_height) * BLOCK_SIDE * BLOCK_SIDE * samples_of_pass();

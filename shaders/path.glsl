@@ -59,6 +59,7 @@ struct Path {
 
 PathRay no_ray() { return PathRay(vec3(0.0f), vec3(0.0f), vec3(0.0f), 0.0f, NONE, 0u, NONE); }
 
+// Before any light has been asked.
 LightVisit no_visit() {
   return LightVisit(no_hit(0.0f), 0u, Ray(vec3(0.0f), vec3(0.0f)), 0.0f, NONE, 0.0f, vec3(0.0f), vec3(0.0f));
 }
@@ -70,6 +71,7 @@ uint path_place(IN(uint) invocation) { return invocation * PATH_BLOCKS(PATH_STAC
 
 uint stack_slot(IN(uint) place, IN(uint) index) { return place + PATH_HEAD_BLOCKS + PATH_RAY_BLOCKS * (index + 1u); }
 
+// Three floats and a word as a block of memory.
 uvec4 block_of(IN(vec3) v, IN(uint) word) {
   return uvec4(floatBitsToUint(v.x), floatBitsToUint(v.y), floatBitsToUint(v.z), word);
 }

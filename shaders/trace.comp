@@ -10,4 +10,7 @@
 
 layout(local_size_x = 64) in;
 
-void main() { trace_jobs(gl_GlobalInvocationID.x); }
+void main() {
+  keep_constants();
+  trace_jobs(gl_GlobalInvocationID.x);
+}

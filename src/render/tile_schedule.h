@@ -16,6 +16,7 @@ struct SamplePass {
   std::uint32_t begin = 0;
   std::uint32_t end = 0;
 
+  /// Samples per pixel.
   std::uint32_t length() const { return end - begin; }
 };
 
@@ -27,7 +28,7 @@ constexpr std::uint32_t kMostSamplesPerPass = 16;
 std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end, std::uint32_t most);
 
 /// How many searches each of `invocations` may make in the next dispatch, so that it takes about `wanted_ms` at
-/// `ms_per_search` (both above 0): at least 1, at most 2^20.
+/// `ms_per_search` (both above 0): at least 1, at most 1024.
 std::uint32_t choose_search_budget(double wanted_ms, double ms_per_search, std::uint32_t invocations);
 
 }  // namespace vernier

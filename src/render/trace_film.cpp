@@ -1,9 +1,11 @@
 #include "render/trace_film.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cstring>
 #include <span>
+#include <thread>
 
 #include "error.h"
 #include "render/tile_schedule.h"
@@ -16,14 +18,14 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// A GPU wants more lanes at once; the samples of a CPU's tile should stay in its caches.
-constexpr int kCpuTile = 128;
+constexpr int kCpuTile = 256;
 constexpr int kGpuTile = 256;
 constexpr int kBlock = 8;
 /// Samples of a pass of a tile wait in a buffer of at most that size.
 constexpr std::uint64_t kSampleBytes = 64u << 20;
-/// Invocations per dispatch, in workgroups of kWorkgroup: enough for any device to be busy. They take jobs until none is
-/// left; on a CPU the few that run at once do it all.
-constexpr std::uint32_t kCpuInvocations = 4096;
+/// Invocations per dispatch, in workgroups of kWorkgroup. They take jobs until none is left, so a CPU needs no more
+/// than keep its threads busy: each costs the loading and saving of a path.
+constexpr std::uint32_t kCpuInvocationsPerThread = 256;
 constexpr std::uint32_t kGpuInvocations = 1u << 17;
 constexpr std::uint32_t kWorkgroup = 64;
 /// Taken for the time of a search until a dispatch of at least kTrustedSearches has been timed: a slow CPU.
@@ -54,6 +56,10 @@ glm::ivec2 chosen_tile(const DeviceDescription& device, const RenderSettings& se
 
 std::uint32_t most_samples(glm::ivec2 tile, std::uint64_t sample_bytes) {
   return static_cast<std::uint32_t>(kSampleBytes / (jobs_per_sample(tile) * sample_bytes));
+}
+
+std::uint32_t invocation_count(const DeviceDescription& device) {
+  return device.is_cpu ? kCpuInvocationsPerThread * std::max(std::thread::hardware_concurrency(), 1u) : kGpuInvocations;
 }
 
 DispatchConstants tile_constants(const GpuScene& scene, const PixelRect& tile, const PixelRect& area,
@@ -99,7 +105,7 @@ class Tracer {
         tile_(chosen_tile(device.description(), settings, film.area(), bytes_per_sample(specialization))),
         most_samples_(most_samples(tile_, bytes_per_sample(specialization))),
         wanted_ms_(settings.dispatch_ms),
-        invocations_(device.description().is_cpu ? kCpuInvocations : kGpuInvocations),
+        invocations_(invocation_count(device.description())),
         film_(film),
         counters_(device, COUNTER_COUNT * 4, BufferUse::storage_host_visible),
         paths_(device, std::uint64_t{invocations_} * PATH_BLOCKS(specialization.path_stack) * 16, BufferUse::storage),
@@ -119,8 +125,10 @@ class Tracer {
     trace_ = make_trace_pipeline(device, Kernel::trace, loads, specialization, bindings);
     trace_bindings_ = BindingSet(device, trace_, bindings);
     for (Film::Band& band : film.bands()) {
-      const std::vector<Binding> own = {
-          {BINDING_FILM, &band.sums}, {BINDING_DISPATCH, &dispatch_}, {BINDING_SAMPLES, &samples_}};
+      const std::vector<Binding> own = {{BINDING_FILM, &band.sums},
+                                        {BINDING_COUNTERS, &counters_},
+                                        {BINDING_DISPATCH, &dispatch_},
+                                        {BINDING_SAMPLES, &samples_}};
       if (accumulate_bindings_.empty()) {
         accumulate_ = make_trace_pipeline(device, Kernel::accumulate, loads, specialization, own);
       }
@@ -136,8 +144,8 @@ class Tracer {
     return schedule_passes(settings.sample_begin, settings.sample_end, most_samples_);
   }
 
-  /// Takes `pass` of `tile` to its end, in as many dispatches as the time budget asks for, and adds it to the film. False
-  /// when `stop` said so before; then nothing is added.
+  /// Takes `pass` of `tile` to its end, in as many dispatches as the time budget asks for, and adds it to the film.
+  /// False when `stop` said so before; then nothing is added.
   template <typename Stop>
   bool run_tile(const PixelRect& tile, const SamplePass& pass, const Stop& stop) {
     const auto band = static_cast<std::size_t>((tile.y - film_.area().y) / film_.band_height());
@@ -151,28 +159,28 @@ class Tracer {
       if (stop()) return false;
       constants.search_budget = choose_search_budget(wanted_ms_, ms_per_search_, invocations);
       set_dispatch(dispatch_, constants);
-      trace(invocations, tile, counts);
+      trace(invocations, tile_dispatch(accumulate_, accumulate_bindings_[band], tile), tile, counts);
       constants.resume = 1;
     } while (counts[COUNTER_UNFINISHED] > 0 || counts[COUNTER_NEXT_JOB] < jobs);
-    const Dispatch dispatch = tile_dispatch(accumulate_, accumulate_bindings_[band], tile);
-    statistics_.device_ms += submitter_.run(std::span(&dispatch, 1)).device_ms;
     return true;
   }
 
   const TraceStatistics& statistics() const { return statistics_; }
 
  private:
-  /// Runs one dispatch and books what it did. `counts`: of the dispatch before, replaced by its own.
-  void trace(std::uint32_t invocations, const PixelRect& tile, std::uint32_t (&counts)[COUNTER_COUNT]) {
+  /// Runs one dispatch and `accumulate`, which adds the pass to the film if that was the last, and books what it did.
+  /// `counts`: of the dispatch before, replaced by its own.
+  void trace(std::uint32_t invocations, const Dispatch& accumulate, const PixelRect& tile,
+             std::uint32_t (&counts)[COUNTER_COUNT]) {
     std::fill(counts, counts + COUNTER_NEXT_JOB, 0u);
     std::memcpy(counters_.mapped().data(), counts, sizeof(counts));
-    const Dispatch dispatch = {.pipeline = &trace_,
-                               .bindings = &trace_bindings_,
-                               .push_constants = {},
-                               .group_count_x = (invocations + kWorkgroup - 1) / kWorkgroup,
-                               .group_count_y = 1,
-                               .group_count_z = 1};
-    const SubmissionTime time = submitter_.run(std::span(&dispatch, 1));
+    const Dispatch trace = {.pipeline = &trace_,
+                            .bindings = &trace_bindings_,
+                            .push_constants = {},
+                            .group_count_x = (invocations + kWorkgroup - 1) / kWorkgroup,
+                            .group_count_y = 1,
+                            .group_count_z = 1};
+    const SubmissionTime time = submitter_.run(std::array{trace, accumulate});
     std::memcpy(counts, counters_.mapped().data(), sizeof(counts));
     statistics_.device_ms += time.device_ms;
     statistics_.rays.primary += counts[COUNTER_PRIMARY];
@@ -184,9 +192,9 @@ class Tracer {
         counts[COUNTER_PRIMARY] + counts[COUNTER_SHADOW] + counts[COUNTER_REFLECTION] + counts[COUNTER_REFRACTION];
     if (searches >= kTrustedSearches) ms_per_search_ = time.device_ms / searches;
     if (counts[COUNTER_UNFINISHED] > 0 && counts[COUNTER_STUCK] == counts[COUNTER_UNFINISHED]) {
-      throw Error(ErrorKind::failed,
-                  "a ray in the tile at pixel " + std::to_string(tile.x) + "," + std::to_string(tile.y) +
-                      " takes more steps than the driver lets a shader take; try --device");
+      throw Error(ErrorKind::failed, "a ray in the tile at pixel " + std::to_string(tile.x) + "," +
+                                         std::to_string(tile.y) +
+                                         " takes more steps than the driver lets a shader take; try --device");
     }
   }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <iterator>
 
 #include "error.h"
 
@@ -77,7 +78,7 @@ std::uint8_t check_header(const Chunk& chunk, const std::string& name) {
 }
 
 void append(std::vector<std::byte>& file, std::span<const std::byte> bytes) {
-  file.insert(file.end(), bytes.begin(), bytes.end());
+  std::ranges::copy(bytes, std::back_inserter(file));
 }
 
 }  // namespace

@@ -120,6 +120,9 @@ void store_aov(uint i, uint word) {
 void add_to_counter(uint i, uint amount) {
   memory->counters.at(i) += amount;
 }
+uint load_counter(uint i) {
+  return memory->counters.at(i);
+}
 uint take_job() {
   return memory->counters.at(COUNTER_NEXT_JOB)++;
 }
@@ -127,7 +130,7 @@ uint take_job() {
 // The entry points include the stack first as well: the traversal calls it.
 #include "traversal_stack.glsl"
 // Separate blocks keep their order.
-#include "film.glsl"
+#include "accumulate_samples.glsl"
 #include "primary.glsl"
 #include "trace_jobs.glsl"
 

@@ -8,8 +8,8 @@
 namespace vernier::shader {
 namespace {
 
-/// Film words of the whole image: the kernels' text run on the CPU by `invocations` in turn, with at most `search_budget`
-/// searches each at a time.
+/// Film words of the whole image: the kernels' text run on the CPU by `invocations` in turn, with at most
+/// `search_budget` searches each at a time.
 inline std::vector<std::uint32_t> film_on_cpu(const PackedScene& packed, const RenderSettings& settings,
                                               std::uint32_t search_budget = 1u << 20, std::uint32_t invocations = 3) {
   Memory scene = memory_of(packed);
