@@ -63,7 +63,8 @@ ShadingTerms metallic_roughness_terms(IN(DeviceMaterial) material, IN(SlotTexels
   vec3 dielectric = min(dielectric_f0(material.ior) * color, vec3(1.0f)) * strength;
   vec3 f0 = mix(dielectric, base, metallic);
   vec3 f90 = vec3(mix(strength, 1.0f, metallic));
-  vec3 diffuse = base * ((1.0f - metallic) * (1.0f - transmission) * (1.0f - max3(f0)));
+  // A metal's colour may exceed 1, by vertex colours.
+  vec3 diffuse = base * ((1.0f - metallic) * (1.0f - transmission) * max(1.0f - max3(f0), 0.0f));
   ShadingTerms terms = microfacet_terms(base, diffuse, f0, f90, roughness);
   terms.transmission = base * (transmission * (1.0f - metallic));
   terms.reflection_tint = mix(vec3(1.0f), f0, metallic);

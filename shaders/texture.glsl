@@ -14,9 +14,8 @@ int wrapped_index(IN(int) i, IN(int) size, IN(uint) wrap) {
   return inside < size ? inside : period - 1 - inside;
 }
 
-// x brought into one period before it is scaled, so that no large number meets the integer conversion; NaN becomes 0.
+// A finite x brought into one period before it is scaled, so that no large number meets the integer conversion.
 float wrapped_coordinate(IN(float) x, IN(uint) wrap) {
-  if (!is_finite(x)) return 0.0f;
   if (wrap == TEXTURE_WRAP_CLAMP) return clamp(x, 0.0f, 1.0f);
   if (wrap == TEXTURE_WRAP_MIRROR) return x - 2.0f * floor(x * 0.5f);
   return x - floor(x);
@@ -40,14 +39,16 @@ vec4 decoded_texel(IN(uvec4) texture_words, IN(int) x, IN(int) y) {
   return vec4(float(bytes.x), float(bytes.y), float(bytes.z), float(bytes.w)) / 255.0f;
 }
 
-// Texture number `index` at (u, v), v down, with its wrap modes: bilinear, or nearest as bilinear with all weight on one
-// texel.
-vec4 sample_texture(IN(uint) index, IN(vec2) uv) {
+// Texture number `index` at (u, v), v down, with its wrap modes: bilinear, or nearest as bilinear of one texel with itself.
+// Texel (0, 0) where u or v is not finite.
+vec4 sample_texture(IN(uint) index, IN(vec2) place) {
   uvec4 words = load_texture(index);
   ivec2 size = ivec2(int(words.x), int(words.y));
   uint wrap_u = (words.w >> TEXTURE_WRAP_U_SHIFT) & 3u;
   uint wrap_v = (words.w >> TEXTURE_WRAP_V_SHIFT) & 3u;
-  bool nearest = ((words.w >> TEXTURE_FILTER_SHIFT) & 1u) == TEXTURE_FILTER_NEAREST;
+  bool defined = is_finite(place.x) && is_finite(place.y);
+  vec2 uv = defined ? place : vec2(0.0f);
+  bool nearest = !defined || ((words.w >> TEXTURE_FILTER_SHIFT) & 1u) == TEXTURE_FILTER_NEAREST;
   vec2 position = vec2(wrapped_coordinate(uv.x, wrap_u), wrapped_coordinate(uv.y, wrap_v)) * vec2(size);
   vec2 corner = nearest ? position : position - 0.5f;
   vec2 whole = floor(corner);
@@ -56,9 +57,9 @@ vec4 sample_texture(IN(uint) index, IN(vec2) uv) {
   uint repeat_u = nearest && wrap_u == TEXTURE_WRAP_REPEAT ? TEXTURE_WRAP_CLAMP : wrap_u;
   uint repeat_v = nearest && wrap_v == TEXTURE_WRAP_REPEAT ? TEXTURE_WRAP_CLAMP : wrap_v;
   int x0 = wrapped_index(int(whole.x), size.x, repeat_u);
-  int x1 = wrapped_index(int(whole.x) + 1, size.x, repeat_u);
+  int x1 = nearest ? x0 : wrapped_index(int(whole.x) + 1, size.x, repeat_u);
   int y0 = wrapped_index(int(whole.y), size.y, repeat_v);
-  int y1 = wrapped_index(int(whole.y) + 1, size.y, repeat_v);
+  int y1 = nearest ? y0 : wrapped_index(int(whole.y) + 1, size.y, repeat_v);
   vec4 top = mix(decoded_texel(words, x0, y0), decoded_texel(words, x1, y0), part.x);
   vec4 bottom = mix(decoded_texel(words, x0, y1), decoded_texel(words, x1, y1), part.x);
   return mix(top, bottom, part.y);

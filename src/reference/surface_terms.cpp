@@ -36,7 +36,7 @@ void set_reflectance(SurfaceTerms& terms, const Reflectance& r) {
   const glm::dvec3 not_metal = terms.base * (1.0 - r.metallic);
   const double gloss = (1.0 - r.roughness) * (1.0 - r.roughness);
   const double alpha = std::max(r.roughness * r.roughness, 0x1p-5);
-  terms.diffuse = not_metal * (1.0 - r.transmission) * (1.0 - max3(r.at_normal));
+  terms.diffuse = not_metal * (1.0 - r.transmission) * std::max(0.0, 1.0 - max3(r.at_normal));
   terms.exponent = 2.0 / (alpha * alpha) - 2.0;
   terms.specular = r.at_normal * (terms.exponent + 2.0) / (8.0 * std::numbers::pi);
   terms.mirror_normal = r.at_normal * gloss;

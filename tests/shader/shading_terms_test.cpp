@@ -91,6 +91,15 @@ TEST(ShadingTerms, textures_of_metallic_roughness_by_channel) {
   expect_near(terms.emission, vec3(3, 2, 0));
 }
 
+TEST(ShadingTerms, a_half_metal_brighter_than_white_takes_no_light_away) {
+  Material material;
+  material.base_color = glm::vec4(1);
+  material.metallic = 0.5f;
+  const ShadingTerms terms = terms_of(material, no_slot_texels(), vec3(4, 1, 1));
+  EXPECT_EQ(terms.diffuse, vec3(0));
+  EXPECT_GT(terms.specular.x, 0.0f);
+}
+
 TEST(ShadingTerms, specular_glossiness) {
   Material material;
   material.workflow = Workflow::specular_glossiness;

@@ -107,15 +107,26 @@ TEST(Texture, hard_coordinates_stay_inside) {
   }
 }
 
-TEST(Texture, a_coordinate_that_is_not_finite_reads_as_zero) {
+TEST(Texture, a_place_that_is_not_finite_is_the_first_texel) {
   for (float bad : {kNan, std::numeric_limits<float>::infinity(), -std::numeric_limits<float>::infinity()}) {
     for (std::uint32_t wrap : kWraps) {
-      Memory scene = counting_texture(4, 4, wrap, TEXTURE_FILTER_NEAREST);
-      const BoundMemory bound(scene);
-      EXPECT_EQ(sample_texture(0u, vec2(bad, 0.3f)), vec4(0, 1, 0, 1));
-      EXPECT_EQ(sample_texture(0u, vec2(0.3f, bad)), vec4(1, 0, 0, 1));
+      for (std::uint32_t filter : {TEXTURE_FILTER_NEAREST, TEXTURE_FILTER_LINEAR}) {
+        Memory scene = counting_texture(4, 4, wrap, filter);
+        const BoundMemory bound(scene);
+        EXPECT_EQ(sample_texture(0u, vec2(bad, 0.3f)), vec4(0, 0, 0, 1));
+        EXPECT_EQ(sample_texture(0u, vec2(0.3f, bad)), vec4(0, 0, 0, 1));
+      }
     }
   }
+}
+
+TEST(Texture, nearest_does_not_look_at_its_neighbours) {
+  Memory scene = counting_texture(4, 4, TEXTURE_WRAP_REPEAT, TEXTURE_FILTER_NEAREST);
+  for (uint i = 0; i < 16; ++i) {
+    if (i != 5) scene.texels[4 * i] = floatBitsToUint(std::numeric_limits<float>::infinity());
+  }
+  const BoundMemory bound(scene);
+  EXPECT_EQ(sample_texture(0u, vec2(0.3f, 0.45f)), vec4(1, 1, 100, 1));
 }
 
 TEST(Texture, a_tiny_negative_coordinate_belongs_to_the_last_texel) {
