@@ -4,12 +4,10 @@
 
 #include "blinn.glsl"
 #include "light.glsl"
+#include "loop_limit.glsl"
 #include "path.glsl"
 #include "shading_terms.glsl"
 #include "spawn_ray.glsl"
-
-// No scene has as many lights. Its real use is the loop's second condition (TRAVERSAL_STEP_LIMIT).
-const uint LIGHT_STEP_LIMIT = 1u << 30;
 
 // What the light adds without its shadow: diffuse and highlight.
 vec3 reflected_light(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_viewer, IN(LightSample) light, IN(float) cosine) {
@@ -30,7 +28,7 @@ bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_vi
   // One variable decides, and lights_are_done() works its answer out by itself: a compiler that sees the loop end on a
   // comparison takes the outcome for granted behind it, where llvmpipe may have left the loop without.
   bool looking = visit.next_light < light_count;
-  for (uint i = 0u; looking && i < LIGHT_STEP_LIMIT; i++) {
+  for (uint i = 0u; looking && i < LOOP_ROUND_LIMIT; i++) {
     LightSample light = sample_light(fetch_light(visit.next_light), surface.position);
     visit.next_light++;
     float cosine = dot_product(surface.normal, light.direction);

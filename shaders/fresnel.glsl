@@ -15,8 +15,8 @@ struct Fresnel {
 // g = eta cos(theta_t) = sqrt(k + cosine^2), the amplitudes are r_s = -k / (c + g)^2 and
 // r_p = k ((eta^2 + 1) c^2 - 1) / (eta^2 c + g)^2; both vanish exactly at eta = 1.
 // (Born and Wolf, Principles of Optics, section 1.5.2, multiplied out.) Beyond the critical angle all is reflected.
-// For eta < 1 the bracket of r_p is written g^2 - eta^2 (1 - c^2): its two terms are as small as q^2 there, so R + T stays
-// within 1e-6 of 1 where the other form is off by 3e-6 at eta = 1/2.4 and 9e-6 at 1/4.
+// For eta < 1 the bracket of r_p is written g^2 - eta^2 (1 - c^2): its two terms are as small as q^2 there, so R + T keeps
+// the bound of the robust level (tests/shader/fresnel_test.cpp), which the other form breaks from eta = 1/2.4 on downwards.
 Fresnel fresnel_dielectric(IN(float) cosine, IN(float) eta) {
   precise float k = (eta - 1.0f) * (eta + 1.0f);
   precise float g_squared = k + cosine * cosine;

@@ -5,22 +5,19 @@
 #include "shared/film_layout.h"
 #include "shared/render_constants.h"
 
-// Pixels are counted in blocks of so many squared: neighbours in both directions come one after the other.
-const uint BLOCK_SIDE = 8u;
-
 struct Job {
   uint x, y;  // pixel of the tile; in an incomplete block it may lie outside
   uint sample_index;
 };
 
-uint blocks_of(IN(uint) pixels) { return (pixels + BLOCK_SIDE - 1u) / BLOCK_SIDE; }
+uint blocks_of(IN(uint) pixels) { return (pixels + JOB_BLOCK_SIDE - 1u) / JOB_BLOCK_SIDE; }
 
 uint samples_of_pass() { return dispatch_constants().sample_end - dispatch_constants().sample_begin; }
 
 // Jobs of the dispatch, those of incomplete blocks that have no pixel counted too.
 uint job_count() {
   DispatchConstants constants = dispatch_constants();
-  return blocks_of(constants.tile_width) * blocks_of(constants.tile_height) * BLOCK_SIDE * BLOCK_SIDE * samples_of_pass();
+  return blocks_of(constants.tile_width) * blocks_of(constants.tile_height) * JOB_BLOCK_SIDE * JOB_BLOCK_SIDE * samples_of_pass();
 }
 
 // a / b for a < 2^22: drivers for CPUs divide integers lane by lane. The quotient of the floats is off by one at most.
@@ -34,17 +31,17 @@ uint divided(IN(uint) a, IN(uint) b) {
 Job job_at(IN(uint) job) {
   uint samples = samples_of_pass();
   uint rank = divided(job, samples);
-  uint block = rank / (BLOCK_SIDE * BLOCK_SIDE);
+  uint block = rank / (JOB_BLOCK_SIDE * JOB_BLOCK_SIDE);
   uint columns = blocks_of(dispatch_constants().tile_width);
   uint row = divided(block, columns);
-  return Job((block - row * columns) * BLOCK_SIDE + rank % BLOCK_SIDE, row * BLOCK_SIDE + rank / BLOCK_SIDE % BLOCK_SIDE,
+  return Job((block - row * columns) * JOB_BLOCK_SIDE + rank % JOB_BLOCK_SIDE, row * JOB_BLOCK_SIDE + rank / JOB_BLOCK_SIDE % JOB_BLOCK_SIDE,
              dispatch_constants().sample_begin + (job - rank * samples));
 }
 
 // The inverse of job_at: the first job of pixel (x, y) of the tile.
 uint first_job_of(IN(uint) x, IN(uint) y) {
-  uint block = y / BLOCK_SIDE * blocks_of(dispatch_constants().tile_width) + x / BLOCK_SIDE;
-  return (block * BLOCK_SIDE * BLOCK_SIDE + y % BLOCK_SIDE * BLOCK_SIDE + x % BLOCK_SIDE) * samples_of_pass();
+  uint block = y / JOB_BLOCK_SIDE * blocks_of(dispatch_constants().tile_width) + x / JOB_BLOCK_SIDE;
+  return (block * JOB_BLOCK_SIDE * JOB_BLOCK_SIDE + y % JOB_BLOCK_SIDE * JOB_BLOCK_SIDE + x % JOB_BLOCK_SIDE) * samples_of_pass();
 }
 
 bool is_in_tile(IN(Job) job) { return job.x < dispatch_constants().tile_width && job.y < dispatch_constants().tile_height; }

@@ -4,6 +4,7 @@
 
 #include "camera.glsl"
 #include "shared/film_layout.h"
+#include "path.glsl"
 #include "shading_terms.glsl"
 #include "traverse_bvh.glsl"
 
@@ -19,10 +20,10 @@ Hit first_visible_hit(IN(Ray) ray) {
   float t_min = 0.0f;
   uint after_triangle = NONE;
   bool looking = true;
-  for (uint i = 0u; looking && i < TRAVERSAL_STEP_LIMIT; i++) {
+  for (uint i = 0u; looking && i < LOOP_ROUND_LIMIT; i++) {
     hit = traverse_bvh(Search(ray, t_min, after_triangle, LARGEST_FLOAT, false)).hit;
     looking = false;
-    if ((effect_on(EFFECT_ALPHA_MASK) || effect_on(EFFECT_ALPHA_BLEND)) && hit.triangle != NONE) {
+    if (rays_pass_hits() && hit.triangle != NONE) {
       TrianglePoint point = triangle_point(hit);
       DeviceMaterial material = fetch_material(point.vertices.w);
       SlotTexels texels = fetch_slot_texels(point, material, 1u << TEXTURE_SLOT_BASE_COLOR | 1u << TEXTURE_SLOT_ALPHA);

@@ -69,7 +69,7 @@ void trace_jobs(IN(uint) invocation) {
   RayCounts counts = RayCounts(0u, 0u, 0u, 0u, 0u);
   uint searches = 0u;
   bool going = true;
-  for (uint rounds = 0u; going && searches < budget && rounds < TRAVERSAL_STEP_LIMIT; rounds++) {
+  for (uint rounds = 0u; going && searches < budget && rounds < LOOP_ROUND_LIMIT; rounds++) {
     if (path.job == NONE) {
       uint job = take_job();
       going = job < job_count();

@@ -145,7 +145,7 @@ Step step_of(IN(Path) path, IN(Found) found) {
   SlotTexels texels = fetch_slot_texels(surface.point, surface.material, readable_slots());
   vec4 color = vertex_color(surface.point);
   surface.terms = shading_terms(surface.material, texels, first_three(color));
-  surface.alpha = effect_on(EFFECT_ALPHA_MASK) || effect_on(EFFECT_ALPHA_BLEND) ? surface_alpha(surface.material, texels, color) : 1.0f;
+  surface.alpha = rays_pass_hits() ? surface_alpha(surface.material, texels, color) : 1.0f;
   result.finished = found.finished && texels.finished;
   if (in_the_way) {
     pass_surface(result.path.visit, hit, surface);

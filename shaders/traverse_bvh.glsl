@@ -4,10 +4,7 @@
 
 #include "intersect_box.glsl"
 #include "intersect_triangle.glsl"
-
-// No traversal takes as many steps. Its real use is the loop's second condition: llvmpipe leaves loops silently after 65535
-// rounds in all, and a compiler that sees a loop end on `running` alone may take `running` for false behind it.
-const uint TRAVERSAL_STEP_LIMIT = 1u << 30;
+#include "loop_limit.glsl"
 
 // The rest of a node's hit children: child base << 8 | count << 6 | up to three 2-bit slots, the next one lowest.
 uint group_count(IN(uint) group) { return (group >> 6) & 3u; }
@@ -76,7 +73,7 @@ Found traverse_bvh(IN(Search) search) {
   ShearedRay sheared = sheared_ray(search.ray);
   Found found = Found(no_hit(search.t_max), false, true, 0u, 0u);
   Cursor cursor = Cursor(0u, 0u, 0u, scene_has_triangles() && is_valid_ray(search.ray));
-  for (uint steps = 0u; cursor.running && steps < TRAVERSAL_STEP_LIMIT; steps++) {
+  for (uint steps = 0u; cursor.running && steps < LOOP_ROUND_LIMIT; steps++) {
     uvec4 a = load_record(3u * cursor.record);
     uvec4 b = load_record(3u * cursor.record + 1u);
     uvec4 c = load_record(3u * cursor.record + 2u);

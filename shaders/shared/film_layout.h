@@ -40,6 +40,9 @@
 #define COUNTER_NEXT_JOB 7u         // the first job that nobody has taken yet; kept from dispatch to dispatch
 #define COUNTER_COUNT 8u
 
+// Jobs count the pixels of a tile in blocks of so many squared: neighbours in both directions come one after the other.
+#define JOB_BLOCK_SIDE 8u
+
 // A traced sample, in blocks of four words: radiance 3, rays | SAMPLE_HIT; with costs counted: nodes, triangles.
 #define SAMPLE_HIT 0x80000000u  // the primary ray hit something
 #define SAMPLE_BLOCKS(count_cost) ((count_cost) ? 2u : 1u)

@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 /// A GPU wants more lanes at once; the samples of a CPU's tile should stay in its caches.
 constexpr int kCpuTile = 256;
 constexpr int kGpuTile = 256;
-constexpr int kBlock = 8;
+constexpr int kBlock = JOB_BLOCK_SIDE;
 /// Samples of a pass of a tile wait in a buffer of at most that size.
 constexpr std::uint64_t kSampleBytes = 64u << 20;
 /// Invocations per dispatch, in workgroups of kWorkgroup. They take jobs until none is left, so a CPU needs no more
