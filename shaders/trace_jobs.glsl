@@ -58,18 +58,19 @@ bool go_on(IN(uint) place, INOUT(Path) path, IN(Found) found, INOUT(RayCounts) c
   return true;
 }
 
-// Takes jobs of the dispatch until none is left or the budget is spent; then the path is saved for the next dispatch. A
-// search counts only when it came to its end: one that the budget or a driver's loop limit cut off is made again in the
-// next dispatch, so nothing is lost silently.
+// Takes jobs of the dispatch until none is left or the budget is spent; a path that is not done at the limit behind it is
+// saved for the next dispatch. A search counts only when it came to its end: one that a driver's loop limit cut off is made
+// again in the next dispatch, so nothing is lost silently.
 void trace_jobs(IN(uint) invocation) {
   uint budget = dispatch_constants().search_budget;
+  uint limit = dispatch_constants().search_limit;
   uint place = path_place(invocation);
   Path path = no_path();
   if (dispatch_constants().resume != 0u) path = restored_path(place);
   RayCounts counts = RayCounts(0u, 0u, 0u, 0u, 0u);
   uint searches = 0u;
   bool going = true;
-  for (uint rounds = 0u; going && searches < budget && rounds < LOOP_ROUND_LIMIT; rounds++) {
+  for (uint rounds = 0u; going && searches < (path.job == NONE ? budget : limit) && rounds < LOOP_ROUND_LIMIT; rounds++) {
     if (path.job == NONE) {
       uint job = take_job();
       going = job < job_count();

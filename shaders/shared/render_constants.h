@@ -59,14 +59,15 @@ struct DispatchConstants {
   uint band_width;
   uint sample_begin;  // samples of this pass
   uint sample_end;
-  uint search_budget;  // searches that one invocation may make before it saves its path
-  uint resume;      // 1: go on with the saved paths
+  uint search_budget;  // searches after which an invocation takes no further job
+  uint search_limit;   // and after which it saves its path; not below the budget
+  uint resume;         // 1: go on with the saved paths
   SteeringConstants steering;
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(RenderConstants) == 4 * (6 * 4 + 6 + 27));
-static_assert(sizeof(DispatchConstants) == 4 * (11 + 11));
+static_assert(sizeof(DispatchConstants) == 4 * (12 + 11));
 }  // namespace vernier
 #endif
 

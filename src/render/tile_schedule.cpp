@@ -40,4 +40,8 @@ std::uint32_t choose_search_budget(double wanted_ms, double ms_per_search, std::
   return static_cast<std::uint32_t>(std::clamp(budget, 1.0, static_cast<double>(kLargestSearchBudget)));
 }
 
+std::uint32_t search_limit(std::uint32_t budget) {
+  return budget + budget / 8 + 16;
+}
+
 }  // namespace vernier

@@ -27,8 +27,12 @@ constexpr std::uint32_t kMostSamplesPerPass = 16;
 /// least 1), so that a whole image is there early and after each pass.
 std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end, std::uint32_t most);
 
-/// How many searches each of `invocations` may make in the next dispatch, so that it takes about `wanted_ms` at
-/// `ms_per_search` (both above 0): at least 1, at most 1024.
+/// How many searches each of `invocations` may make in the next dispatch before it takes no further job, so that the
+/// dispatch takes about `wanted_ms` at `ms_per_search` (both above 0): at least 1, at most 1024.
 std::uint32_t choose_search_budget(double wanted_ms, double ms_per_search, std::uint32_t invocations);
+
+/// After how many searches an invocation with that budget puts its path aside: enough beyond it that most paths come to
+/// their end, without a dispatch of their own for the last of them.
+std::uint32_t search_limit(std::uint32_t budget);
 
 }  // namespace vernier

@@ -134,7 +134,7 @@ class Tracer {
       }
       accumulate_bindings_.emplace_back(device, accumulate_, own);
     }
-    statistics_.compile_ms = trace_.compile_ms() + accumulate_.compile_ms();
+    statistics_.compile_ms = trace_.compile_ms() + accumulate_.compile_ms() + warm_up();
     statistics_.device_bytes = counters_.size_bytes() + paths_.size_bytes() + samples_.size_bytes();
   }
 
@@ -158,6 +158,7 @@ class Tracer {
     do {
       if (stop()) return false;
       constants.search_budget = choose_search_budget(wanted_ms_, ms_per_search_, invocations);
+      constants.search_limit = search_limit(constants.search_budget);
       set_dispatch(dispatch_, constants);
       trace(invocations, tile_dispatch(accumulate_, accumulate_bindings_[band], tile), tile, counts);
       constants.resume = 1;
@@ -168,6 +169,16 @@ class Tracer {
   const TraceStatistics& statistics() const { return statistics_; }
 
  private:
+  /// Dispatches both kernels on no job: llvmpipe compiles at the first dispatch, for up to a second. Returns the time.
+  double warm_up() {
+    const PixelRect nothing{film_.area().x, film_.area().y, 0, 0};
+    set_dispatch(dispatch_, tile_constants(scene_, nothing, film_.area(), film_.bands().front()));
+    const Dispatch trace{.pipeline = &trace_, .bindings = &trace_bindings_, .push_constants = {}};
+    const Dispatch accumulate{
+        .pipeline = &accumulate_, .bindings = &accumulate_bindings_.front(), .push_constants = {}};
+    return submitter_.run(std::array{trace, accumulate}).wall_ms;
+  }
+
   /// Runs one dispatch and `accumulate`, which adds the pass to the film if that was the last, and books what it did.
   /// `counts`: of the dispatch before, replaced by its own.
   void trace(std::uint32_t invocations, const Dispatch& accumulate, const PixelRect& tile,

@@ -20,6 +20,7 @@ inline std::vector<std::uint32_t> film_on_cpu(const PackedScene& packed, const R
   dispatch.sample_begin = settings.sample_begin;
   dispatch.sample_end = settings.sample_end;
   dispatch.search_budget = search_budget;
+  dispatch.search_limit = search_budget;
   const BoundMemory bound(scene);
   scene.film.assign(std::size_t{FILM_WORDS} * width * height, 0u);
   scene.paths.assign(std::size_t{PATH_BLOCKS(PATH_STACK_SIZE)} * invocations, uvec4(0u));

@@ -83,5 +83,10 @@ TEST(SearchBudget, stays_in_its_bounds) {
   EXPECT_EQ(choose_search_budget(1e9, 1e-6, 1), 1024u);
 }
 
+TEST(SearchLimit, lets_paths_end_but_bounds_the_dispatch) {
+  EXPECT_EQ(search_limit(1), 17u);
+  EXPECT_EQ(search_limit(1024), 1168u);
+}
+
 }  // namespace
 }  // namespace vernier
