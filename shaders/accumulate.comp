@@ -10,6 +10,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 void main() {
-  if (gl_GlobalInvocationID.x >= dispatch.tile_width || gl_GlobalInvocationID.y >= dispatch.tile_height) return;
+  keep_constants();
+  if (gl_GlobalInvocationID.x >= dispatch_constants().tile_width || gl_GlobalInvocationID.y >= dispatch_constants().tile_height) return;
   accumulate_samples(gl_GlobalInvocationID.x, gl_GlobalInvocationID.y);
 }

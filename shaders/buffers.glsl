@@ -45,28 +45,32 @@ uint load_texel(uint i) { return texel_words[i]; }
 uint load_triangle_id(uint i) { return triangle_id_words[i]; }
 #endif
 
-layout(set = 0, binding = BINDING_FILM, scalar) buffer Film { uint film_words[]; };
+layout(set = 0, binding = BINDING_FILM, scalar) buffer Film { uvec4 film_blocks[]; };
 layout(set = 0, binding = BINDING_COUNTERS, scalar) buffer Counters { uint counters[]; };
 layout(set = 0, binding = BINDING_PATHS, scalar) buffer Paths { uvec4 path_blocks[]; };
 layout(set = 0, binding = BINDING_SAMPLES, scalar) buffer Samples { uvec4 sample_blocks[]; };
 layout(set = 0, binding = BINDING_AOVS, scalar) buffer Aovs { uint aov_words[]; };
 
-RenderConstants render_constants() { return render; }
-
-// llvmpipe reads a word of a storage buffer lane by lane every time: there an invocation keeps a copy from its start on.
+// llvmpipe reads a word of a buffer lane by lane every time: there an invocation keeps copies from its start on.
 #ifdef LOADS_TEXELS
+RenderConstants own_render;
 DispatchConstants own_dispatch;
-void keep_constants() { own_dispatch = dispatch; }
+void keep_constants() {
+  own_render = render;
+  own_dispatch = dispatch;
+}
+RenderConstants render_constants() { return own_render; }
 DispatchConstants dispatch_constants() { return own_dispatch; }
 #else
 void keep_constants() {}
+RenderConstants render_constants() { return render; }
 DispatchConstants dispatch_constants() { return dispatch; }
 #endif
 SteeringConstants steering_constants() { return dispatch_constants().steering; }
 bool scene_has_triangles() { return steering_constants().triangle_count > 0u; }
 
-uint load_film(uint i) { return film_words[i]; }
-void store_film(uint i, uint word) { film_words[i] = word; }
+uvec4 load_film(uint i) { return film_blocks[i]; }
+void store_film(uint i, uvec4 block) { film_blocks[i] = block; }
 uvec4 load_path(uint i) { return path_blocks[i]; }
 void store_path(uint i, uvec4 block) { path_blocks[i] = block; }
 uvec4 load_sample(uint i) { return sample_blocks[i]; }

@@ -59,36 +59,23 @@ void add_sample(INOUT(PixelSum) sum, IN(vec3) radiance, IN(bool) hit, IN(uint) s
   }
 }
 
-WideSum load_wide_sum(IN(uint) first) { return WideSum(load_film(first), load_film(first + 1u), load_film(first + 2u)); }
-
-void store_wide_sum(IN(uint) first, IN(WideSum) sum) {
-  store_film(first, sum.low);
-  store_film(first + 1u, sum.middle);
-  store_film(first + 2u, sum.high);
-}
-
 // The sums of pixel number `pixel` of the band that is bound.
 PixelSum load_pixel_sum(IN(uint) pixel) {
-  uint first = pixel * FILM_WORDS;
-  return PixelSum(load_wide_sum(first + FILM_RED), load_wide_sum(first + FILM_GREEN), load_wide_sum(first + FILM_BLUE),
-                  load_film(first + FILM_HITS), load_film(first + FILM_SAMPLES), load_film(first + FILM_NON_FINITE),
-                  load_film(first + FILM_FIRST_NON_FINITE), load_film(first + FILM_RAYS), load_film(first + FILM_NODES),
-                  load_film(first + FILM_TRIANGLES));
+  uint first = pixel * FILM_BLOCKS;
+  uvec4 a = load_film(first);
+  uvec4 b = load_film(first + 1u);
+  uvec4 c = load_film(first + 2u);
+  uvec4 d = load_film(first + 3u);
+  return PixelSum(WideSum(a.x, a.y, a.z), WideSum(a.w, b.x, b.y), WideSum(b.z, b.w, c.x), c.y, c.z, c.w, d.x, d.y, d.z, d.w);
 }
 
 // Writes the sums of pixel number `pixel` back.
 void store_pixel_sum(IN(uint) pixel, IN(PixelSum) sum) {
-  uint first = pixel * FILM_WORDS;
-  store_wide_sum(first + FILM_RED, sum.red);
-  store_wide_sum(first + FILM_GREEN, sum.green);
-  store_wide_sum(first + FILM_BLUE, sum.blue);
-  store_film(first + FILM_HITS, sum.hits);
-  store_film(first + FILM_SAMPLES, sum.samples);
-  store_film(first + FILM_NON_FINITE, sum.non_finite);
-  store_film(first + FILM_FIRST_NON_FINITE, sum.first_non_finite);
-  store_film(first + FILM_RAYS, sum.rays);
-  store_film(first + FILM_NODES, sum.nodes);
-  store_film(first + FILM_TRIANGLES, sum.triangles);
+  uint first = pixel * FILM_BLOCKS;
+  store_film(first, uvec4(sum.red.low, sum.red.middle, sum.red.high, sum.green.low));
+  store_film(first + 1u, uvec4(sum.green.middle, sum.green.high, sum.blue.low, sum.blue.middle));
+  store_film(first + 2u, uvec4(sum.blue.high, sum.hits, sum.samples, sum.non_finite));
+  store_film(first + 3u, uvec4(sum.first_non_finite, sum.rays, sum.nodes, sum.triangles));
 }
 
 #endif

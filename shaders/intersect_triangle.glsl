@@ -9,7 +9,6 @@
 struct ShearedRay {
   vec3 origin;
   int largest;    // axis of the largest component
-  bool flipped;   // its direction is negative: x and y change places to keep the winding
   vec3 shear;     // (dx / dz, dy / dz, 1 / dz)
   float depth_per_t;  // |dz|: from z in units of t to units of space
   float near_depth;   // corners nearer than that may lie behind by the rounding of the origin
@@ -23,19 +22,13 @@ vec3 axis_last(IN(vec3) v, IN(int) axis) {
   return axis == 0 ? vec3(v.y, v.z, v.x) : axis == 1 ? vec3(v.z, v.x, v.y) : v;
 }
 
-vec3 permuted(IN(ShearedRay) ray, IN(vec3) v) {
-  vec3 w = axis_last(v, ray.largest);
-  return ray.flipped ? vec3(w.y, w.x, w.z) : w;
-}
-
 // The frame of `ray`, whose direction is not zero.
 ShearedRay sheared_ray(IN(Ray) ray) {
   vec3 size = abs(ray.direction);
   ShearedRay frame;
   frame.origin = ray.origin;
   frame.largest = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
-  frame.flipped = axis_last(ray.direction, frame.largest).z < 0.0f;
-  vec3 d = permuted(frame, ray.direction);
+  vec3 d = axis_last(ray.direction, frame.largest);
   frame.shear = vec3(d.x / d.z, d.y / d.z, 1.0f / d.z);
   frame.depth_per_t = abs(d.z);
   frame.near_depth = gamma_bound(CORNER_ROUNDINGS) * max3(abs(ray.origin));
@@ -44,7 +37,7 @@ ShearedRay sheared_ray(IN(Ray) ray) {
 
 // A corner in the ray's frame: x and y sheared, z in units of t.
 vec3 sheared_corner(IN(ShearedRay) ray, IN(vec3) corner) {
-  precise vec3 p = permuted(ray, corner - ray.origin);
+  precise vec3 p = axis_last(corner - ray.origin, ray.largest);
   precise vec3 q = vec3(p.x - ray.shear.x * p.z, p.y - ray.shear.y * p.z, ray.shear.z * p.z);
   return q;
 }

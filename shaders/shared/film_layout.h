@@ -17,6 +17,7 @@
 #define FILM_NODES 14u
 #define FILM_TRIANGLES 15u
 #define FILM_WORDS 16u
+#define FILM_BLOCKS 4u  // the same in blocks of four words
 
 #define AOV_DEPTH 0u
 #define AOV_POSITION 1u

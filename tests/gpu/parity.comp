@@ -11,8 +11,8 @@ const uint OPERAND_COUNT = 16u;
 const uint ANSWER_COUNT = 18u;
 
 // film.glsl wants them; nothing here calls them.
-uint load_film(uint i) { return 0u; }
-void store_film(uint i, uint word) {}
+uvec4 load_film(uint i) { return uvec4(0u); }
+void store_film(uint i, uvec4 block) {}
 
 #include "shared/glsl.h"
 #include "blinn.glsl"

@@ -96,11 +96,11 @@ uint load_texel(uint i) {
 uint load_triangle_id(uint i) {
   return memory->triangle_ids.at(i);
 }
-uint load_film(uint i) {
-  return memory->film.at(i);
+uvec4 load_film(uint i) {
+  return {memory->film.at(4 * i), memory->film.at(4 * i + 1), memory->film.at(4 * i + 2), memory->film.at(4 * i + 3)};
 }
-void store_film(uint i, uint word) {
-  memory->film.at(i) = word;
+void store_film(uint i, uvec4 block) {
+  for (int k = 0; k < 4; ++k) memory->film.at(4 * i + k) = block[k];
 }
 uvec4 load_path(uint i) {
   return memory->paths.at(i);
