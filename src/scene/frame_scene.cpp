@@ -1,9 +1,10 @@
 #include "scene/frame_scene.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
+#include <span>
+#include <vector>
 
 #include "scene/view_side.h"
 
@@ -12,6 +13,8 @@ namespace {
 
 // Share of the half-angle's tangent that stays free around the box.
 constexpr double kMargin = 1.05;
+// Distance of the eye from the nearest point at least, in diagonals of the box: no needle ends in the eye.
+constexpr double kLeastDistance = 0.02;
 // Thinner than this part of the largest extent a box counts as flat.
 constexpr double kFlat = 1e-3;
 // Three quarters view, from the right, above and in front.
@@ -45,46 +48,80 @@ glm::dvec3 view_side(const WorldBounds& box) {
   return glm::normalize(side);
 }
 
-std::array<glm::dvec3, 8> corners_of(const WorldBounds& box) {
-  std::array<glm::dvec3, 8> corners;
+std::vector<glm::dvec3> corners_of(const WorldBounds& box) {
+  std::vector<glm::dvec3> corners(8);
   for (std::size_t i = 0; i < 8; ++i) {
     corners[i] = {i & 1 ? box.hi.x : box.lo.x, i & 2 ? box.hi.y : box.lo.y, i & 4 ? box.hi.z : box.lo.z};
   }
   return corners;
 }
 
-// Where the eye is along one image axis, and how far back it must be at least: for all corners
-// |x - eye| <= slope (back - z), tight on both sides.
-struct Fit {
-  double eye;
-  double back;
-};
-
-Fit fit_axis(const std::array<glm::dvec3, 8>& corners, const glm::dvec3& axis, const glm::dvec3& backward,
-             double slope) {
-  double right = -std::numeric_limits<double>::infinity();
-  double left = right;
-  for (const glm::dvec3& corner : corners) {
-    const double x = glm::dot(corner, axis);
-    const double z = glm::dot(corner, backward);
-    right = std::max(right, slope * z + x);
-    left = std::max(left, slope * z - x);
+/// Which vertices of `mesh` are corners of triangles. Dropped triangles have no place.
+std::vector<bool> used_vertices(const Mesh& mesh) {
+  std::vector<bool> used(mesh.positions.size());
+  for (const glm::uvec3& triangle : mesh.triangles) {
+    if (triangle == glm::uvec3(0)) continue;
+    for (int c = 0; c < 3; ++c) used[triangle[c]] = true;
   }
-  return {0.5 * (right - left), 0.5 * (right + left) / slope};
+  return used;
 }
 
-// From the side `z`, which is not vertical.
-Camera fitted_camera(const WorldBounds& box, const glm::dvec3& z, double vertical_fov, double aspect) {
+/// Every vertex of every instance in the world, those of no triangle left out.
+template <typename Visit>
+void for_each_vertex(const Scene& scene, const Visit& visit) {
+  std::vector<std::vector<bool>> used(scene.meshes.size());
+  for (const Instance& instance : scene.instances) {
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    if (used[instance.mesh].empty()) used[instance.mesh] = used_vertices(mesh);
+    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+      if (used[instance.mesh][i]) visit(glm::dvec3(instance.world_from_object * glm::dvec4(mesh.positions[i], 1.0)));
+    }
+  }
+}
+
+/// How far back the eye must be at least along one image axis: for all points |x - eye| <= slope (back - z), with the
+/// eye where that is tight on both sides.
+double least_back(std::span<const glm::dvec3> points, int axis, double slope) {
+  double right = -std::numeric_limits<double>::infinity();
+  double left = right;
+  for (const glm::dvec3& point : points) {
+    right = std::max(right, slope * point.z + point[axis]);
+    left = std::max(left, slope * point.z - point[axis]);
+  }
+  return 0.5 * (right + left) / slope;
+}
+
+/// Place of the eye along an image axis from which, that far back, the points reach as far to one side of the picture
+/// as to the other. Exchanges the outermost points until they stay the same; every exchange lessens the larger reach.
+double centered_eye(std::span<const glm::dvec3> points, int axis, double back) {
+  constexpr int kMostExchanges = 16;
+  double eye = 0.0;
+  for (int i = 0; i < kMostExchanges; ++i) {
+    const auto reach = [&](const glm::dvec3& point) { return (point[axis] - eye) / (back - point.z); };
+    const auto [left, right] = std::ranges::minmax_element(points, {}, reach);
+    const double left_depth = back - left->z;
+    const double right_depth = back - right->z;
+    const double next = ((*right)[axis] * left_depth + (*left)[axis] * right_depth) / (left_depth + right_depth);
+    if (next == eye) break;
+    eye = next;
+  }
+  return eye;
+}
+
+/// Sees all `points` from the side `z`, which is not vertical.
+Camera fitted_camera(std::vector<glm::dvec3> points, const WorldBounds& box, const glm::dvec3& z, double vertical_fov,
+                     double aspect) {
   const glm::dvec3 x = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), z));
   const glm::dvec3 y = glm::cross(z, x);
-  // About the middle, so that far boxes lose no digits.
+  // About the middle, so that far points lose no digits.
   const glm::dvec3 middle = 0.5 * box.lo + 0.5 * box.hi;
-  const std::array<glm::dvec3, 8> corners = corners_of({box.lo - middle, box.hi - middle});
+  const glm::dmat3 view_from_world = glm::transpose(glm::dmat3(x, y, z));
+  for (glm::dvec3& point : points) point = view_from_world * (point - middle);
   const double slope = std::tan(0.5 * vertical_fov) / kMargin;
-  const Fit horizontal = fit_axis(corners, x, z, aspect * slope);
-  const Fit vertical = fit_axis(corners, y, z, slope);
-  const double back = std::max(horizontal.back, vertical.back);
-  const glm::dvec3 eye = middle + horizontal.eye * x + vertical.eye * y + back * z;
+  const double nearest = std::ranges::max(points, {}, &glm::dvec3::z).z;
+  const double back = std::max({least_back(points, 0, aspect * slope), least_back(points, 1, slope),
+                                nearest + kLeastDistance * glm::length(box.hi - box.lo)});
+  const glm::dvec3 eye = middle + centered_eye(points, 0, back) * x + centered_eye(points, 1, back) * y + back * z;
   Camera camera;
   camera.name = "framed";
   camera.vertical_fov = vertical_fov;
@@ -97,29 +134,28 @@ Camera fitted_camera(const WorldBounds& box, const glm::dvec3& z, double vertica
 WorldBounds world_bounds(const Scene& scene) {
   WorldBounds bounds{glm::dvec3(std::numeric_limits<double>::infinity()),
                      glm::dvec3(-std::numeric_limits<double>::infinity())};
-  for (const Instance& instance : scene.instances) {
-    const Mesh& mesh = scene.meshes[instance.mesh];
-    for (const glm::uvec3& triangle : mesh.triangles) {
-      // Dropped ones have no place.
-      if (triangle == glm::uvec3(0)) continue;
-      for (int c = 0; c < 3; ++c) {
-        const glm::dvec3 corner(instance.world_from_object * glm::dvec4(mesh.positions[triangle[c]], 1.0));
-        bounds.lo = glm::min(bounds.lo, corner);
-        bounds.hi = glm::max(bounds.hi, corner);
-      }
-    }
-  }
+  for_each_vertex(scene, [&](const glm::dvec3& place) {
+    bounds.lo = glm::min(bounds.lo, place);
+    bounds.hi = glm::max(bounds.hi, place);
+  });
   return bounds;
 }
 
 Camera frame_camera(const WorldBounds& bounds, double vertical_fov, double aspect) {
   const WorldBounds box = with_extent(bounds);
-  return fitted_camera(box, view_side(box), vertical_fov, aspect);
+  return fitted_camera(corners_of(box), box, view_side(box), vertical_fov, aspect);
 }
 
 Camera frame_scene(const Scene& scene, double vertical_fov, double aspect) {
-  const WorldBounds box = with_extent(world_bounds(scene));
-  return fitted_camera(box, choose_view_side(scene, box, view_side(box)), vertical_fov, aspect);
+  const WorldBounds bounds = world_bounds(scene);
+  const WorldBounds box = with_extent(bounds);
+  std::vector<glm::dvec3> points;
+  if (bounds.lo == box.lo && bounds.hi == box.hi) {
+    for_each_vertex(scene, [&](const glm::dvec3& place) { points.push_back(place); });
+  } else {
+    points = corners_of(box);
+  }
+  return fitted_camera(std::move(points), box, choose_view_side(scene, box, view_side(box)), vertical_fov, aspect);
 }
 
 }  // namespace vernier

@@ -29,6 +29,10 @@ Seen project(const Camera& camera, const WorldBounds& box, double aspect) {
   return seen;
 }
 
+Seen joined(const Seen& a, const Seen& b) {
+  return {glm::min(a.lo, b.lo), glm::max(a.hi, b.hi)};
+}
+
 TEST(FrameCamera, BoxTouchesTheMarginAndIsCentred) {
   for (const double aspect : {0.5, 1.0, 16.0 / 9.0}) {
     for (const WorldBounds& box :
@@ -37,10 +41,29 @@ TEST(FrameCamera, BoxTouchesTheMarginAndIsCentred) {
       const Seen seen = project(frame_camera(box, 0.7, aspect), box, aspect);
       const double widest = std::max({seen.hi.x, seen.hi.y, -seen.lo.x, -seen.lo.y});
       EXPECT_NEAR(widest, 1.0 / 1.05, 1e-9);
-      // The axis that decides touches on both sides.
-      const bool by_width = std::max(seen.hi.x, -seen.lo.x) >= std::max(seen.hi.y, -seen.lo.y);
-      EXPECT_NEAR(by_width ? seen.lo.x + seen.hi.x : seen.lo.y + seen.hi.y, 0.0, 1e-9);
+      EXPECT_NEAR(seen.lo.x + seen.hi.x, 0.0, 1e-9);
+      EXPECT_NEAR(seen.lo.y + seen.hi.y, 0.0, 1e-9);
     }
+  }
+}
+
+TEST(FrameScene, VerticesTouchTheMarginWhereTheirBoxIsMuchLarger) {
+  // A diagonal strip: its box reaches far beyond it in every view.
+  Scene scene;
+  Mesh mesh;
+  for (int i = 0; i < 20; ++i) mesh.positions.emplace_back(i, i % 2, -i);
+  for (unsigned i = 0; i + 2 < 20; ++i) mesh.triangles.emplace_back(i, i + 1, i + 2);
+  scene.meshes.push_back(mesh);
+  scene.instances.resize(1);
+  for (const double aspect : {0.5, 16.0 / 9.0}) {
+    const Camera camera = frame_scene(scene, 0.7, aspect);
+    Seen seen;
+    for (const glm::vec3& place : mesh.positions) {
+      seen = joined(seen, project(camera, {glm::dvec3(place), glm::dvec3(place)}, aspect));
+    }
+    EXPECT_NEAR(std::max({seen.hi.x, seen.hi.y, -seen.lo.x, -seen.lo.y}), 1.0 / 1.05, 1e-9);
+    EXPECT_NEAR(seen.lo.x + seen.hi.x, 0.0, 1e-9);
+    EXPECT_NEAR(seen.lo.y + seen.hi.y, 0.0, 1e-9);
   }
 }
 
