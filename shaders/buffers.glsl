@@ -55,6 +55,7 @@ layout(set = 0, binding = BINDING_AOVS, scalar) buffer Aovs { uint aov_words[]; 
 #ifdef LOADS_TEXELS
 RenderConstants own_render;
 DispatchConstants own_dispatch;
+// To be called first.
 void keep_constants() {
   own_render = render;
   own_dispatch = dispatch;

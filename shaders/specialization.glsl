@@ -2,6 +2,7 @@
 #ifndef VERNIER_SPECIALIZATION_GLSL
 #define VERNIER_SPECIALIZATION_GLSL
 
+#include "shared/accuracy.h"
 #include "shared/effects.h"
 #include "shared/specialization_ids.h"
 
@@ -11,6 +12,15 @@ layout(constant_id = SPECIALIZATION_SHIFT_STACK) const bool SHIFT_STACK = false;
 layout(constant_id = SPECIALIZATION_PATH_STACK) const uint PATH_STACK_SIZE = 18u;
 layout(constant_id = SPECIALIZATION_COUNT_COST) const bool COUNT_COST = false;
 
+layout(constant_id = SPECIALIZATION_LEVELS) const uint LEVELS = LEVELS_OF(LEVEL_ROBUST);
+layout(constant_id = SPECIALIZATION_MUTATION) const uint MUTATION = MUTATION_NONE;
+
 bool effect_on(const uint effect) { return (EFFECTS & effect) != 0u; }
+
+// LEVEL_* of a spot.
+uint level_at(const uint spot) { return (LEVELS >> (2u * spot)) & 3u; }
+
+// Whether this fault is seeded.
+bool mutated(const uint mutation) { return MUTATION == mutation; }
 
 #endif

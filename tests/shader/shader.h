@@ -9,6 +9,7 @@
 #include <glm/integer.hpp>
 
 #include "shader/memory.h"
+#include "shared/accuracy.h"
 #include "shared/bindings.h"
 #include "shared/bvh_record.h"
 #include "shared/effects.h"
@@ -56,8 +57,16 @@ constexpr uint TRAVERSAL_STACK_SIZE = 64u;
 bool SHIFT_STACK = false;
 uint PATH_STACK_SIZE = 18u;
 bool COUNT_COST = false;
+uint LEVELS = LEVELS_OF(LEVEL_ROBUST);
+uint MUTATION = MUTATION_NONE;
 bool effect_on(uint effect) {
   return (EFFECTS & effect) != 0u;
+}
+uint level_at(uint spot) {
+  return (LEVELS >> (2u * spot)) & 3u;
+}
+bool mutated(uint mutation) {
+  return MUTATION == mutation;
 }
 
 RenderConstants render_constants() {
