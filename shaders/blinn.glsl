@@ -21,6 +21,7 @@ float blinn_highlight(IN(vec3) normal, IN(vec3) to_light, IN(vec3) to_viewer, IN
   vec3 half_vector = unit_vector(to_light + to_viewer);
   if (dot_product(normal, half_vector) <= 0.0f) return 0.0f;
   if (exponent == 0.0f) return 1.0f;
+  if (level_at(SPOT_SPECULAR) == LEVEL_FAST) return pow(dot_product(normal, half_vector), exponent);
   vec3 difference = normal - half_vector;
   float s = min(0.5f * dot_product(difference, difference), 1.0f - HALF_ULP_OF_ONE);
   const float log2_e = 1.44269504088896340736f;

@@ -35,6 +35,12 @@ WideSum fixed_point(IN(float) value) {
   return word == 0u ? WideSum(low, high, 0u) : word == 1u ? WideSum(0u, low, high) : WideSum(0u, 0u, low);
 }
 
+// Adds a value to the sum as the fast level does: in floats.
+WideSum plainly_added(IN(WideSum) sum, IN(float) value) {
+  float before = sum.high == FILM_PLAIN_SUM ? uintBitsToFloat(sum.low) : 0.0f;
+  return WideSum(floatBitsToUint(before + value), 0u, FILM_PLAIN_SUM);
+}
+
 WideSum wide_add(IN(WideSum) a, IN(WideSum) b) {
   uint low = a.low + b.low;
   uint carry_low = low < a.low ? 1u : 0u;
@@ -42,7 +48,14 @@ WideSum wide_add(IN(WideSum) a, IN(WideSum) b) {
   uint carry_middle = middle < a.middle ? 1u : 0u;
   uint carried = middle + carry_low;
   carry_middle += carried < middle ? 1u : 0u;
+  if (mutated(MUTATION_NARROW_SUM)) carry_middle = 0u;
   return WideSum(low, carried, a.high + b.high + carry_middle);
+}
+
+// `sum` with a finite value added.
+WideSum added(IN(WideSum) sum, IN(float) value) {
+  if (level_at(SPOT_SUM) == LEVEL_FAST) return plainly_added(sum, value);
+  return wide_add(sum, fixed_point(value));
 }
 
 // Adds sample number `s` with its radiance; a non-finite one is counted and leaves the sums alone.
@@ -50,9 +63,9 @@ void add_sample(INOUT(PixelSum) sum, IN(vec3) radiance, IN(bool) hit, IN(uint) s
   sum.samples++;
   sum.hits += hit ? 1u : 0u;
   if (is_finite(radiance)) {
-    sum.red = wide_add(sum.red, fixed_point(radiance.x));
-    sum.green = wide_add(sum.green, fixed_point(radiance.y));
-    sum.blue = wide_add(sum.blue, fixed_point(radiance.z));
+    sum.red = added(sum.red, radiance.x);
+    sum.green = added(sum.green, radiance.y);
+    sum.blue = added(sum.blue, radiance.z);
   } else {
     sum.first_non_finite = sum.non_finite == 0u ? s + 1u : min(sum.first_non_finite, s + 1u);
     sum.non_finite++;

@@ -2,7 +2,7 @@
 #ifndef VERNIER_FRESNEL_GLSL
 #define VERNIER_FRESNEL_GLSL
 
-#include "rounding.glsl"
+#include "double_float.glsl"
 
 // Powers reflected and transmitted (unpolarised) and the cosine of refraction times eta.
 struct Fresnel {
@@ -11,6 +11,41 @@ struct Fresnel {
   float refracted_cosine;  // eta cos(theta_t) >= 0; 0 for total internal reflection
 };
 
+// The textbook's form, which cancels where eta is near 1 and at grazing incidence (Pharr, Jakob, Humphreys, Physically Based
+// Rendering 4th ed., section 9.3.5).
+Fresnel textbook_fresnel(IN(float) cosine, IN(float) eta) {
+  float squared_sine = (1.0f - cosine * cosine) / (eta * eta);
+  if (squared_sine >= 1.0f) return Fresnel(1.0f, 0.0f, 0.0f);
+  float refracted = sqrt(1.0f - squared_sine);
+  float parallel = (eta * cosine - refracted) / (eta * cosine + refracted);
+  float across = (cosine - eta * refracted) / (cosine + eta * refracted);
+  float reflected = 0.5f * (parallel * parallel + across * across);
+  return Fresnel(reflected, 1.0f - reflected, eta * refracted);
+}
+
+// The same as fresnel_dielectric() below with every step in numbers of twice the precision.
+Fresnel exact_fresnel(IN(float) cosine, IN(float) eta) {
+  DoubleFloat c = widened(cosine);
+  DoubleFloat one = widened(1.0f);
+  DoubleFloat eta_squared = two_product(eta, eta);
+  DoubleFloat k = wide_product(two_difference(eta, 1.0f), two_sum(eta, 1.0f));
+  DoubleFloat c_squared = two_product(cosine, cosine);
+  DoubleFloat g_squared = wide_sum(k, c_squared);
+  if (!(g_squared.hi > 0.0f)) return Fresnel(1.0f, 0.0f, 0.0f);
+  DoubleFloat g = wide_square_root(g_squared);
+  DoubleFloat p = wide_sum(c, g);
+  DoubleFloat q = wide_sum(wide_product(eta_squared, c), g);
+  DoubleFloat p_squared = wide_product(p, p);
+  DoubleFloat q_squared = wide_product(q, q);
+  DoubleFloat bracket = wide_difference(g_squared, wide_product(eta_squared, wide_difference(one, c_squared)));
+  DoubleFloat r_s = wide_quotient(k, p_squared);
+  DoubleFloat r_p = wide_quotient(wide_product(k, bracket), q_squared);
+  DoubleFloat reflected = wide_sum(wide_product(r_s, r_s), wide_product(r_p, r_p));
+  DoubleFloat both = wide_sum(wide_quotient(one, p_squared), wide_quotient(eta_squared, q_squared));
+  DoubleFloat transmitted = wide_product(wide_product(c, g), both);
+  return Fresnel(min(0.5f * narrowed(reflected), 1.0f), min(2.0f * narrowed(transmitted), 1.0f), narrowed(g));
+}
+
 // `cosine` of the angle of incidence in [0, 1], `eta` = index behind / index in front, > 0. With k = eta^2 - 1 and
 // g = eta cos(theta_t) = sqrt(k + cosine^2), the amplitudes are r_s = -k / (c + g)^2 and
 // r_p = k ((eta^2 + 1) c^2 - 1) / (eta^2 c + g)^2; both vanish exactly at eta = 1.
@@ -18,6 +53,8 @@ struct Fresnel {
 // For eta < 1 the bracket of r_p is written g^2 - eta^2 (1 - c^2): its two terms are as small as q^2 there, so R + T keeps
 // the bound of the robust level (tests/shader/fresnel_test.cpp), which the other form breaks from eta = 1/2.4 on downwards.
 Fresnel fresnel_dielectric(IN(float) cosine, IN(float) eta) {
+  if (level_at(SPOT_FRESNEL) == LEVEL_FAST) return textbook_fresnel(cosine, eta);
+  if (level_at(SPOT_FRESNEL) == LEVEL_EXACT) return exact_fresnel(cosine, eta);
   precise float k = (eta - 1.0f) * (eta + 1.0f);
   precise float g_squared = k + cosine * cosine;
   if (!(g_squared > 0.0f)) return Fresnel(1.0f, 0.0f, 0.0f);

@@ -18,8 +18,11 @@ const float SLAB_ROUNDINGS = 8.0f;
 
 const int SLAB_MISS = 0x7fffffff;
 
-// 1 / d without infinities: a component below 2^-80 counts as that, with its sign (-0 is negative).
+// 1 / d without infinities: a component below 2^-80 counts as that, with its sign (-0 is negative). Fast: as it comes.
 float bounded_reciprocal(IN(float) d) {
+  if (level_at(SPOT_BOX) == LEVEL_FAST) return 1.0f / d;
+  const float zero_fix = 1e-18f;  // what Embree puts in place of 0: the sign is lost, and 0 inf no longer stops the ray
+  if (mutated(MUTATION_ZERO_DIRECTION)) return 1.0f / (d == 0.0f ? zero_fix : d);
   const float smallest = 8.271806125530277e-25f;  // 2^-80
   uint sign_bit = floatBitsToUint(d) & 0x80000000u;
   float size = max(abs(d), smallest);
@@ -32,13 +35,13 @@ SlabRay slab_ray(IN(Ray) ray) {
   slab.origin = ray.origin;
   slab.inverse = vec3(bounded_reciprocal(ray.direction.x), bounded_reciprocal(ray.direction.y),
                       bounded_reciprocal(ray.direction.z));
-  slab.backwards = bvec3(floatBitsToInt(ray.direction.x) < 0, floatBitsToInt(ray.direction.y) < 0,
-                         floatBitsToInt(ray.direction.z) < 0);
+  slab.backwards = bvec3(floatBitsToInt(slab.inverse.x) < 0, floatBitsToInt(slab.inverse.y) < 0,
+                         floatBitsToInt(slab.inverse.z) < 0);
   return slab;
 }
 
 // Planes of one axis as t = byte * cell + near (far): `cell` per quantisation step, near and far moved outwards by their
-// error bound, which covers the cancellation between the grid origin and the bytes.
+// error bound, which covers the cancellation between the grid origin and the bytes (not at the fast level).
 struct SlabAxis {
   float cell;
   float near;
@@ -50,6 +53,7 @@ SlabAxis slab_axis(IN(float) grid_origin, IN(uint) exponent, IN(float) origin, I
   axis.cell = uintBitsToFloat(exponent << 23) * inverse;
   float start = (grid_origin - origin) * inverse;
   float bound = (abs(start) + 255.0f * abs(axis.cell)) * gamma_bound(SLAB_ROUNDINGS);
+  if (level_at(SPOT_BOX) == LEVEL_FAST) bound = 0.0f;
   axis.near = start - bound;
   axis.far = start + bound;
   return axis;

@@ -24,7 +24,7 @@ Hit first_visible_hit(IN(Ray) ray) {
     hit = traverse_bvh(Search(ray, t_min, after_triangle, LARGEST_FLOAT, false)).hit;
     looking = false;
     if (rays_pass_hits() && hit.triangle != NONE) {
-      TrianglePoint point = triangle_point(hit);
+      TrianglePoint point = triangle_point(ray, hit);
       DeviceMaterial material = fetch_material(point.vertices.w);
       SlotTexels texels = fetch_slot_texels(point, material, 1u << TEXTURE_SLOT_BASE_COLOR | 1u << TEXTURE_SLOT_ALPHA);
       looking = surface_alpha(material, texels, vertex_color(point)) == 0.0f;
@@ -54,13 +54,13 @@ void trace_primary(IN(vec2) position, IN(uint) pixel) {
     store_miss(first);
     return;
   }
-  TrianglePoint point = triangle_point(hit);
+  TrianglePoint point = triangle_point(ray, hit);
   DeviceMaterial material = fetch_material(point.vertices.w);
   SlotTexels texels = fetch_slot_texels(point, material, readable_slots());
   vec4 color = vertex_color(point);
   SurfacePoint surface = surface_point(point, material, texels, ray.direction);
   vec2 uv = interpolated_uv(point, 0u);
-  store_aov(first + AOV_DEPTH, floatBitsToUint(hit.t * constants.metres_per_unit));
+  store_aov(first + AOV_DEPTH, floatBitsToUint(point.t * constants.metres_per_unit));
   store_aov_vector(first + AOV_POSITION, surface.position * constants.metres_per_unit + constants.world_center);
   store_aov_vector(first + AOV_NORMAL, surface.geometric_normal);
   store_aov_vector(first + AOV_SHADING_NORMAL, surface.normal);

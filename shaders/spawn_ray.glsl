@@ -4,11 +4,16 @@
 
 #include "surface.glsl"
 
+// The fast level's distance from any surface, in units of the traced space, which reaches from -1 to 1: it grows into thin
+// layers of large scenes and is too small for rays that start far out.
+const float FIXED_OFFSET = 1e-4f;
+
 // The hit point moved along the geometric normal to the side that `direction` leaves on, by the error bound's extent along
 // the normal: the point then lies on that side of the exact plane. Waechter and Binder 2019 describe the problem ("A Fast
 // and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems 6); the bound is that of SurfacePoint.
 vec3 spawn_origin(IN(SurfacePoint) surface, IN(vec3) direction) {
   float distance = dot_product(abs(surface.geometric_normal), surface.position_error);
+  if (level_at(SPOT_SPAWN) == LEVEL_FAST) distance = FIXED_OFFSET;
   bool above = dot_product(direction, surface.geometric_normal) >= 0.0f;
   precise vec3 origin = surface.position + surface.geometric_normal * (above ? distance : -distance);
   return origin;

@@ -67,12 +67,8 @@ vec3 bent_normal(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(SlotTe
 SurfacePoint surface_point(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(SlotTexels) texels,
                            IN(vec3) direction) {
   SurfacePoint surface;
-  precise vec3 position = point.v0 + (point.e1 * point.b1 + point.e2 * point.b2);
-  surface.position = position;
-  // Rounding of the edges (1), the products (1), their sum (1) and its neighbours, each at most half an ulp of the extent;
-  // the last sum and the offset's own rounding (spawn_ray.glsl) at most half an ulp of the place.
-  vec3 extent = max(abs(point.e1), abs(point.e2));
-  surface.position_error = HALF_ULP_OF_ONE * (2.0f * abs(point.v0) + 6.0f * extent);
+  surface.position = point.position;
+  surface.position_error = point.position_error;
   vec3 geometric = unit_vector(cross_product(point.e1, point.e2));
   vec3 normal = interpolated_normal(point, geometric);
   if (effect_on(EFFECT_NORMAL_TEXTURE)) normal = bent_normal(point, material, texels, normal);

@@ -89,7 +89,7 @@ void shade(INOUT(Step) result, IN(Hit) hit, IN(HitSurface) surface, IN(SlotTexel
   PathRay ray = result.path.current;
   bool first = result.path.phase == PHASE_HIT;
   vec3 weight = ray.weight;
-  if (effect_on(EFFECT_ABSORPTION) && ray.medium != NONE) weight *= exp(-fetch_absorption(ray.medium) * hit.t);
+  if (effect_on(EFFECT_ABSORPTION) && ray.medium != NONE) weight *= exp(-fetch_absorption(ray.medium) * surface.point.t);
   if (rays_pass_hits() && surface.alpha < 1.0f) {
     // The same ray goes on behind the hit; the part of it in the medium is weighed when it ends.
     result.children.passed = PathRay(ray.origin, ray.direction, kept_weight(ray.weight * (1.0f - surface.alpha)), hit.t,
@@ -140,7 +140,9 @@ Step step_of(IN(Path) path, IN(Found) found) {
   Hit hit = path.visit.hit;
   if (looks_for_hit || in_the_way) hit = found.hit;
   HitSurface surface;
-  surface.point = triangle_point(hit);
+  Ray ray = Ray(path.current.origin, path.current.direction);
+  if (in_the_way) ray = path.visit.ray;
+  surface.point = triangle_point(ray, hit);
   surface.material = fetch_material(surface.point.vertices.w);
   SlotTexels texels = fetch_slot_texels(surface.point, surface.material, readable_slots());
   vec4 color = vertex_color(surface.point);

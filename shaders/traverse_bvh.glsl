@@ -33,7 +33,7 @@ struct Cursor {
 void advance(INOUT(Cursor) cursor, IN(bool) descend, IN(ivec4) entries, IN(uint) child_base) {
   bool down = descend && entries.x != SLAB_MISS;
   bool has_rest = group_count(cursor.group) > 0u;
-  bool push = down && has_rest;
+  bool push = down && has_rest && !(mutated(MUTATION_SHORT_STACK) && cursor.stack_count >= 2u);
   bool pop = !down && !has_rest;
   if (push) {
     push_group(cursor.stack_count, cursor.group);

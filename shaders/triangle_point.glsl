@@ -2,6 +2,7 @@
 #ifndef VERNIER_TRIANGLE_POINT_GLSL
 #define VERNIER_TRIANGLE_POINT_GLSL
 
+#include "exact_crossing.glsl"
 #include "material.glsl"
 #include "ray.glsl"
 
@@ -10,17 +11,48 @@ struct TrianglePoint {
   vec3 v0, e1, e2;  // corner 0 and the edges to corners 1 and 2
   uvec4 vertices;   // vertex 0, 1, 2, material
   float b0, b1, b2;
+  float t;
+  vec3 position;        // of the hit
+  vec3 position_error;  // bound of its distance from the triangle's plane, per axis
 };
 
-// The triangle of `hit`, which hit something.
-TrianglePoint triangle_point(IN(Hit) hit) {
+// Place and error from the weights, the largest term last: off the plane by the triangle's own rounding however far the
+// ray came from. Edges (1 rounding), products (1), their sum (1) and its neighbours, each at most half an ulp of the extent;
+// the last sum and the offset's own rounding (spawn_ray.glsl) at most half an ulp of the place.
+void place_by_weights(INOUT(TrianglePoint) point) {
+  precise vec3 position = point.v0 + (point.e1 * point.b1 + point.e2 * point.b2);
+  point.position = position;
+  vec3 extent = max(abs(point.e1), abs(point.e2));
+  point.position_error = HALF_ULP_OF_ONE * (2.0f * abs(point.v0) + 6.0f * extent);
+}
+
+// The point of the triangle v0 v1 v2 that `ray` met at `hit`.
+TrianglePoint point_on_triangle(IN(Ray) ray, IN(Hit) hit, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2, IN(uvec4) vertices) {
+  TrianglePoint point = TrianglePoint(v0, v1 - v0, v2 - v0, vertices, 1.0f - hit.b1 - hit.b2, hit.b1, hit.b2, hit.t,
+                                      vec3(0.0f), vec3(0.0f));
+  if (level_at(SPOT_POSITION) == LEVEL_EXACT) {
+    ExactCrossing crossing = exact_crossing(ray, v0, v1, v2);
+    point.b0 = crossing.b0;
+    point.b1 = crossing.b1;
+    point.b2 = crossing.b2;
+    point.t = crossing.t;
+    point.position = crossing.position;
+    // Rounded once, and once more with the offset; 2^-20 of that is for what the wide arithmetic leaves.
+    point.position_error = (1.0f + 9.5367431640625e-7f) * HALF_ULP_OF_ONE * 2.0f * abs(crossing.position);
+  } else {
+    place_by_weights(point);
+  }
+  if (level_at(SPOT_POSITION) == LEVEL_FAST) point.position = ray.origin + ray.direction * hit.t;
+  return point;
+}
+
+// The triangle of `hit`, which `ray` met.
+TrianglePoint triangle_point(IN(Ray) ray, IN(Hit) hit) {
   uvec4 a = load_record(3u * hit.record);
   uvec4 b = load_record(3u * hit.record + 1u);
   uvec4 c = load_record(3u * hit.record + 2u);
-  vec3 v0 = first_three(float_texel(a));
-  vec3 e1 = first_three(float_texel(b)) - v0;
-  vec3 e2 = first_three(float_texel(c)) - v0;
-  return TrianglePoint(v0, e1, e2, load_triangle(hit.triangle), 1.0f - hit.b1 - hit.b2, hit.b1, hit.b2);
+  return point_on_triangle(ray, hit, first_three(float_texel(a)), first_three(float_texel(b)), first_three(float_texel(c)),
+                           load_triangle(hit.triangle));
 }
 
 // Attribute at offset `texel` of a vertex.

@@ -42,13 +42,10 @@ std::vector<std::string> parse_aovs(const std::string& list) {
 }
 
 Accuracy parse_accuracy(const std::string& text) {
-  if (text == "fast" || text == "exact") {
-    throw Error(ErrorKind::usage, "--accuracy: this version has only robust, not " + text);
+  for (const Accuracy accuracy : {Accuracy::fast, Accuracy::robust, Accuracy::exact}) {
+    if (text == to_string(accuracy)) return accuracy;
   }
-  if (text != "robust") {
-    throw Error(ErrorKind::usage, "--accuracy: `" + text + "` is not fast, robust or exact");
-  }
-  return Accuracy::robust;
+  throw Error(ErrorKind::usage, "--accuracy: `" + text + "` is not fast, robust or exact");
 }
 
 void check_crop(const RenderSettings& settings) {
@@ -118,8 +115,10 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
                  "primitive_id, sample_count, cost (per sample); EXR holds them all, other formats make NAME.AOV.EXT "
                  "(default: none)")
       ->type_name("LIST");
-  app.add_option("--accuracy", arguments.accuracy,
-                 "numeric level: fast, robust or exact; this version has robust (default: robust)")
+  app.add_option(
+         "--accuracy", arguments.accuracy,
+         "numeric level: fast (what most renderers do), robust (bounded errors) or exact (right to the last place) "
+         "(default: robust)")
       ->type_name("LEVEL");
   add_effects_option(app, arguments.effects);
   app.add_option("--tile", arguments.tile, "pixels of a submission; never changes a bit of the image (default: chosen)")

@@ -41,7 +41,7 @@ void add_input(nlohmann::ordered_json& json, const RenderReport& report) {
   json["driver"] = report.device.driver;
   json["size"] = {settings.width, settings.height};
   json["spp"] = settings.spp;
-  json["accuracy"] = "robust";
+  json["accuracy"] = to_string(settings.accuracy);
 }
 
 void add_work(nlohmann::ordered_json& json, const RenderReport& report) {

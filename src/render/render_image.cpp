@@ -14,9 +14,6 @@ namespace vernier {
 namespace {
 
 void check_settings(const RenderSettings& settings) {
-  if (settings.accuracy != Accuracy::robust) {
-    throw Error(ErrorKind::usage, "--accuracy: this version has 'robust' only");
-  }
   if (settings.width < 1 || settings.height < 1) throw Error(ErrorKind::usage, "--size: the image is empty");
   if (settings.sample_begin >= settings.sample_end || settings.sample_end > settings.spp) {
     throw Error(ErrorKind::usage, "--sample-range: it must lie within 0:" + std::to_string(settings.spp));
@@ -117,8 +114,9 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   const SceneLoads loads = choose_scene_loads(device.description());
   GpuScene gpu_scene = upload_scene(device, packed, loads, statistics);
   gpu_scene.set_constants(device, packed.constants, packed.steering);
-  const TraceSpecialization specialization = specialize(statistics.effects.bits, packed.bvh.depth, settings.max_bounces,
-                                                        wants(settings, "cost"), device.description());
+  TraceSpecialization specialization = specialize(statistics.effects.bits, packed.bvh.depth, settings.max_bounces,
+                                                  wants(settings, "cost"), device.description());
+  specialization.levels = levels_of(settings.accuracy);
   statistics.spirv_hash = trace_spirv_hash(loads);
   packed = {};  // the device has it now
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vernier {
@@ -17,8 +18,13 @@ struct PixelRect {
   int height = 0;
 };
 
-/// Numeric level. Only robust is implemented; the others are refused with a message.
+/// Numeric level (README, Accuracy): what most renderers do; bounded errors; results right to the last place.
 enum class Accuracy { fast, robust, exact };
+
+/// The level's name on the command line.
+constexpr std::string_view to_string(Accuracy accuracy) {
+  return accuracy == Accuracy::fast ? "fast" : accuracy == Accuracy::robust ? "robust" : "exact";
+}
 
 /// What decides the image and how it is made. The defaults are the command line's.
 struct RenderSettings {

@@ -32,6 +32,18 @@ std::span<const std::uint32_t> spirv_of(Kernel kernel, SceneLoads loads) {
 
 }  // namespace
 
+std::uint32_t levels_of(Accuracy accuracy) {
+  switch (accuracy) {
+    case Accuracy::fast:
+      return LEVELS_OF(LEVEL_FAST);
+    case Accuracy::robust:
+      break;
+    case Accuracy::exact:
+      return LEVELS_OF(LEVEL_EXACT);
+  }
+  return LEVELS_OF(LEVEL_ROBUST);
+}
+
 TraceSpecialization specialize(std::uint32_t effects, std::uint32_t bvh_depth, std::uint32_t max_bounces,
                                bool count_cost, const DeviceDescription& device) {
   const bool scatters = (effects & (EFFECT_REFLECTION | EFFECT_REFRACTION)) != 0;
@@ -50,12 +62,13 @@ TraceSpecialization specialize(std::uint32_t effects, std::uint32_t bvh_depth, s
 
 ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLoads loads,
                                     const TraceSpecialization& specialization, std::span<const Binding> bindings) {
-  const std::array<SpecializationValue, 5> values = {
+  const std::array<SpecializationValue, 6> values = {
       SpecializationValue{SPECIALIZATION_EFFECTS, specialization.effects},
       SpecializationValue{SPECIALIZATION_TRAVERSAL_STACK, specialization.traversal_stack},
       SpecializationValue{SPECIALIZATION_SHIFT_STACK, specialization.shift_stack ? 1u : 0u},
       SpecializationValue{SPECIALIZATION_PATH_STACK, specialization.path_stack},
-      SpecializationValue{SPECIALIZATION_COUNT_COST, specialization.count_cost ? 1u : 0u}};
+      SpecializationValue{SPECIALIZATION_COUNT_COST, specialization.count_cost ? 1u : 0u},
+      SpecializationValue{SPECIALIZATION_LEVELS, specialization.levels}};
   return ComputePipeline(device, spirv_of(kernel, loads), bindings, 0, values);
 }
 

@@ -5,6 +5,8 @@
 
 #include "gpu/compute_pipeline.h"
 #include "render/gpu_scene.h"
+#include "render/render_settings.h"
+#include "shared/accuracy.h"
 #include "shared/render_constants.h"
 
 namespace vernier {
@@ -16,7 +18,11 @@ struct TraceSpecialization {
   bool shift_stack = false;           ///< traversal stack in shifted registers
   std::uint32_t path_stack = 1;       ///< rays that can wait
   bool count_cost = false;
+  std::uint32_t levels = LEVELS_OF(LEVEL_ROBUST);  ///< numeric level of each spot (shared/accuracy.h)
 };
+
+/// The levels of all spots at `accuracy`.
+std::uint32_t levels_of(Accuracy accuracy);
 
 /// The specialization for a scene of `bvh_depth` with `effects`, at most `max_bounces` deep, on `device`.
 /// Two rays can wait per depth (shaders/trace_path.glsl); beyond 64 in all they are dropped and counted.

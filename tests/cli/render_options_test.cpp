@@ -71,12 +71,14 @@ TEST(RenderOptions, PixelBoundAppliesToWhatIsRendered) {
   expect_usage_error("--crop", [&] { parse_render_settings(arguments); });
 }
 
-TEST(RenderOptions, OtherAccuraciesAreRefused) {
+TEST(RenderOptions, AccuracyHasThreeLevels) {
   RenderArguments arguments;
-  for (const char* level : {"fast", "exact"}) {
-    arguments.accuracy = level;
-    expect_usage_error("only robust", [&] { parse_render_settings(arguments); });
+  for (const Accuracy level : {Accuracy::fast, Accuracy::robust, Accuracy::exact}) {
+    arguments.accuracy = to_string(level);
+    EXPECT_EQ(parse_render_settings(arguments).accuracy, level);
   }
+  arguments.accuracy = "best";
+  expect_usage_error("--accuracy", [&] { parse_render_settings(arguments); });
 }
 
 TEST(SceneOptions, FieldOfViewIsOpenOnBothSides) {

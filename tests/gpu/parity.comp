@@ -15,6 +15,7 @@ uvec4 load_film(uint i) { return uvec4(0u); }
 void store_film(uint i, uvec4 block) {}
 
 #include "shared/glsl.h"
+#include "specialization.glsl"
 #include "blinn.glsl"
 #include "film.glsl"
 #include "fresnel.glsl"

@@ -20,11 +20,11 @@ Hit hit_of(const Ray& ray, const Triangle& t, uint id = 7u, float t_min = 0.0f, 
 }
 
 /// Where the ray meets the plane of the triangle, in double: t and the weights of the corners.
-struct Crossing {
+struct ExpectedCrossing {
   double t, b0, b1, b2;
 };
 
-Crossing exact_crossing(const Ray& ray, const Triangle& triangle) {
+ExpectedCrossing exact_crossing(const Ray& ray, const Triangle& triangle) {
   const glm::dvec3 o(ray.origin), d(ray.direction), v0(triangle.v0), v1(triangle.v1), v2(triangle.v2);
   const glm::dvec3 normal = glm::cross(v1 - v0, v2 - v0);
   const double t = glm::dot(normal, v0 - o) / glm::dot(normal, d);
@@ -94,7 +94,7 @@ TEST(IntersectTriangle, agrees_with_double_away_from_the_edges) {
   for (int i = 0; i < 300000; ++i) {
     const Triangle triangle = {random.in_cube(), random.in_cube(), random.in_cube()};
     const Ray ray(random.in_cube() * 2.0f, random.direction());
-    const Crossing exact = exact_crossing(ray, triangle);
+    const ExpectedCrossing exact = exact_crossing(ray, triangle);
     const glm::dvec3 normal = glm::cross(glm::dvec3(triangle.v1 - triangle.v0), glm::dvec3(triangle.v2 - triangle.v0));
     const double slope = std::abs(glm::dot(normal, glm::dvec3(ray.direction)));
     if (slope < 0.05) continue;  // needles and grazing rays: the decision may hang on the last bit
