@@ -46,9 +46,11 @@ using glm::floatBitsToInt;
 using glm::floatBitsToUint;
 using glm::floor;
 using glm::log;
+using glm::log2;
 using glm::max;
 using glm::min;
 using glm::mix;
+using glm::pow;
 using glm::sqrt;
 using glm::uintBitsToFloat;
 
