@@ -21,5 +21,7 @@ void add_reference_command(CLI::App& app, Command& chosen);
 void add_diff_command(CLI::App& app, Command& chosen);
 /// `vernier devices`: what there is to render on.
 void add_devices_command(CLI::App& app, Command& chosen);
+/// `vernier verify`: the numeric suite.
+void add_verify_command(CLI::App& app, Command& chosen);
 
 }  // namespace vernier

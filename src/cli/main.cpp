@@ -46,6 +46,7 @@ int main(int argc, char** argv) {
     add_reference_command(app, chosen);
     add_diff_command(app, chosen);
     add_devices_command(app, chosen);
+    add_verify_command(app, chosen);
     return run_command_line(app, chosen, argc, argv);
   } catch (const Error& error) {
     return say(error.kind(), error.what());

@@ -1,0 +1,166 @@
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "cli/commands.h"
+#include "cli/output_file.h"
+#include "error.h"
+#include "image/whole_file.h"
+#include "verify/mutations.h"
+#include "verify/verify_report.h"
+
+namespace vernier {
+namespace {
+
+struct VerifyArguments {
+  std::uint64_t rays = 1u << 15;
+  std::string level = "robust";
+  std::string case_name;
+  std::uint64_t seed = 0;
+  std::optional<std::uint64_t> sample;
+  std::string mutation;
+  std::string json_file;
+  std::string device;
+};
+
+void set_level(CaseSetup& setup, const std::string& level) {
+  if (level == "fast") {
+    setup.level = Accuracy::fast;
+    setup.levels = LEVELS_OF(LEVEL_FAST);
+  } else if (level == "robust") {
+    setup.level = Accuracy::robust;
+    setup.levels = LEVELS_OF(LEVEL_ROBUST);
+  } else if (level == "exact") {
+    setup.level = Accuracy::exact;
+    setup.levels = LEVELS_OF(LEVEL_EXACT);
+  } else {
+    throw Error(ErrorKind::usage, "--level: `" + level + "` is not fast, robust or exact");
+  }
+}
+
+CaseSetup case_setup(const VerifyArguments& arguments) {
+  CaseSetup setup;
+  set_level(setup, arguments.level);
+  setup.seed = arguments.seed;
+  setup.sample_count = arguments.rays;
+  if (arguments.rays == 0) throw Error(ErrorKind::usage, "--rays: at least one is needed");
+  if (arguments.sample) {
+    if (arguments.case_name.empty()) throw Error(ErrorKind::usage, "--sample: say which --case it is of");
+    // A sample is a function of seed, case and number: it comes again as the last of that many.
+    setup.sample_count = *arguments.sample + 1;
+  }
+  return setup;
+}
+
+/// The cases that --case asks for, or all.
+std::vector<const VerifyCase*> chosen_cases(const std::string& name) {
+  std::vector<const VerifyCase*> chosen;
+  if (!name.empty()) {
+    chosen.push_back(find_case(name));
+    if (chosen.front() == nullptr) {
+      throw Error(ErrorKind::usage, "--case: there is no `" + name + "`; the cases are " + case_names());
+    }
+    return chosen;
+  }
+  for (const VerifyCase& one : verify_cases()) chosen.push_back(&one);
+  return chosen;
+}
+
+/// The faults that --mutate asks for.
+std::vector<Mutation> chosen_mutations(const std::string& name) {
+  if (name.empty()) return {};
+  if (name == "all") return {mutations().begin(), mutations().end()};
+  const Mutation* found = find_mutation(name);
+  if (found == nullptr) {
+    throw Error(ErrorKind::usage, "--mutate: there is no `" + name + "`; the faults are all, " + mutation_names());
+  }
+  return {*found};
+}
+
+void say(const std::string& text) {
+  std::fputs(text.c_str(), stdout);
+  std::fflush(stdout);
+}
+
+void write_json(const std::string& file, const nlohmann::json& json) {
+  if (!file.empty()) write_text(file, json.dump(2) + "\n");
+}
+
+/// Runs `cases` one after the other and tells of each. True when all held.
+bool run_suite(const VerifyArguments& arguments, const CaseSetup& setup, const DeviceReport& device,
+               const std::vector<const VerifyCase*>& cases) {
+  std::string again = arguments.level == "robust" ? "" : " --level " + arguments.level;
+  if (!arguments.device.empty()) again += " --device " + arguments.device;
+  bool held = true;
+  std::vector<CaseReport> reports;
+  say(case_table_head());
+  for (const VerifyCase* one : cases) {
+    reports.push_back(run_case(*one, setup));
+    say(case_line(reports.back()));
+    if (!reports.back().held) say(failure_text(reports.back(), setup, again));
+    held = held && reports.back().held;
+  }
+  write_json(arguments.json_file, verify_json(device, setup, reports));
+  return held;
+}
+
+/// Seeds the faults one after the other and tells who notices. True when all were caught.
+bool run_mutations(const VerifyArguments& arguments, const CaseSetup& setup, const DeviceReport& device,
+                   const std::vector<Mutation>& faults) {
+  bool caught = true;
+  std::vector<std::vector<CaseReport>> reports;
+  for (const Mutation& fault : faults) {
+    reports.push_back(run_mutation(fault, setup));
+    say(mutation_line(fault, reports.back()));
+    caught = caught && is_caught(reports.back());
+  }
+  write_json(arguments.json_file, mutations_json(device, setup, faults, reports));
+  return caught;
+}
+
+int run_verify(const VerifyArguments& arguments) {
+  CaseSetup setup = case_setup(arguments);
+  const std::vector<const VerifyCase*> cases = chosen_cases(arguments.case_name);
+  const std::vector<Mutation> faults = chosen_mutations(arguments.mutation);
+  check_text_output(arguments.json_file);
+  const VulkanInstance instance;
+  const DeviceDescription description = choose_device(list_devices(instance), arguments.device);
+  const Device device(instance, description);
+  setup.device = &device;
+  const DeviceReport report{description, probe_device(device), ""};
+  say(describe_devices({&report, 1}) + "\n");
+  const bool good =
+      faults.empty() ? run_suite(arguments, setup, report, cases) : run_mutations(arguments, setup, report, faults);
+  return good ? 0 : static_cast<int>(ErrorKind::failed);
+}
+
+}  // namespace
+
+void add_verify_command(CLI::App& app, Command& chosen) {
+  const auto arguments = std::make_shared<VerifyArguments>();
+  CLI::App& command = *app.add_subcommand(
+      "verify",
+      "Runs the hard cases of the numeric suite on a device, with the shader functions that render. Exit code 0 "
+      "when every target of the level is met, or when every seeded fault was caught; else 1.");
+  command.add_option("--rays", arguments->rays, "samples per case (default: 32768)")->type_name("N");
+  command
+      .add_option("--level", arguments->level,
+                  "numeric level: fast (shown, no targets), robust or exact (default: robust)")
+      ->type_name("fast|robust|exact");
+  command.add_option("--case", arguments->case_name, "one case by its name (default: all)")->type_name("NAME");
+  command.add_option("--seed", arguments->seed, "of the inputs (default: 0)")->type_name("N");
+  command.add_option("--sample", arguments->sample, "runs --case up to this sample number (default: all of --rays)")
+      ->type_name("N");
+  command
+      .add_option("--mutate", arguments->mutation,
+                  "seeds a known fault and shows which case catches it: a name or all (default: none)")
+      ->type_name("NAME|all");
+  command.add_option("--json", arguments->json_file, "writes the same as JSON (default: none)")->type_name("FILE");
+  command.add_option("--device", arguments->device, "device by index or part of its name (default: the best)")
+      ->type_name("INDEX|NAME");
+  command.footer("Example: vernier verify --case shared_edge --rays 1000000");
+  command.callback([arguments, &chosen] { chosen = [arguments] { return run_verify(*arguments); }; });
+}
+
+}  // namespace vernier

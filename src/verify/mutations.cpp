@@ -1,0 +1,117 @@
+#include "verify/mutations.h"
+
+#include <algorithm>
+
+namespace vernier {
+namespace {
+
+/// Everything robust but `spot`, which is fast.
+constexpr std::uint32_t fast_at(std::uint32_t spot) {
+  return (LEVELS_OF(LEVEL_ROBUST) & ~(3u << (2 * spot))) | LEVEL_FAST << (2 * spot);
+}
+
+constexpr std::uint32_t kRobust = LEVELS_OF(LEVEL_ROBUST);
+
+}  // namespace
+
+std::span<const Mutation> mutations() {
+  static const std::vector<Mutation> all = {
+      {"moeller_trumbore",
+       "triangles are tested as by Moeller and Trumbore",
+       fast_at(SPOT_TRIANGLE),
+       MUTATION_NONE,
+       {"shared_edge", "shared_vertex", "far_mesh", "needles"}},
+      {"contracted_edge",
+       "one product of an edge value is not rounded, as by an fma",
+       kRobust,
+       MUTATION_CONTRACTED_EDGE,
+       {"shared_edge", "shared_vertex", "far_mesh", "needles", "seam"}},
+      {"unpadded_boxes",
+       "box planes are not moved outwards by their error",
+       fast_at(SPOT_BOX),
+       MUTATION_NONE,
+       {"box_corner", "box_alone", "flat_boxes", "zero_component"}},
+      {"zero_direction",
+       "direction components of 0 become 1e-18",
+       kRobust,
+       MUTATION_ZERO_DIRECTION,
+       {"zero_component", "flat_boxes", "box_corner"}},
+      {"fixed_epsilon",
+       "secondary rays start a fixed distance off",
+       fast_at(SPOT_SPAWN),
+       MUTATION_NONE,
+       {"self_hit_far", "self_hit", "near_shells", "layers_passed"}},
+      {"no_lower_bound",
+       "hits nearer than the error of t are taken",
+       kRobust,
+       MUTATION_NO_LOWER_BOUND,
+       {"behind_origin", "self_hit", "self_hit_far", "neighbour_acne"}},
+      {"short_stack",
+       "the traversal stack has two entries",
+       kRobust,
+       MUTATION_SHORT_STACK,
+       {"deep_tree", "zero_component", "box_corner"}},
+      {"textbook_fresnel",
+       "Fresnel terms by the textbook",
+       fast_at(SPOT_FRESNEL),
+       MUTATION_NONE,
+       {"eta_near_one", "fresnel_sweep", "grazing_glass"}},
+      {"pow_specular",
+       "the highlight is a power of the cosine",
+       fast_at(SPOT_SPECULAR),
+       MUTATION_NONE,
+       {"extreme_exponent"}},
+      {"sign_in_frame", "sign() chooses the handedness of a tangent frame", kRobust, MUTATION_SIGN_IN_FRAME, {"frame"}},
+      {"unclamped_fract",
+       "a texture is read at x - floor(x), which may be 1",
+       kRobust,
+       MUTATION_UNCLAMPED_FRACT,
+       {"texture_wrap"}},
+      {"naive_sum",
+       "samples are summed up in one float",
+       fast_at(SPOT_SUM),
+       MUTATION_NONE,
+       {"many_samples", "sample_order"}},
+      {"narrow_sum",
+       "the carry into the film's high word is lost",
+       kRobust,
+       MUTATION_NARROW_SUM,
+       {"many_samples", "sample_order"}},
+  };
+  return all;
+}
+
+const Mutation* find_mutation(const std::string& name) {
+  const std::span<const Mutation> all = mutations();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const Mutation& one) { return name == one.name; });
+  return found == all.end() ? nullptr : &*found;
+}
+
+std::string mutation_names() {
+  std::string names;
+  for (const Mutation& one : mutations()) names += (names.empty() ? "" : ", ") + std::string(one.name);
+  return names;
+}
+
+CaseSetup seeded(const CaseSetup& setup, const Mutation& mutation) {
+  CaseSetup with_fault = setup;
+  with_fault.level = Accuracy::robust;
+  with_fault.levels = mutation.levels;
+  with_fault.mutation = mutation.mutation;
+  return with_fault;
+}
+
+std::vector<CaseReport> run_mutation(const Mutation& mutation, const CaseSetup& setup) {
+  std::vector<CaseReport> reports;
+  for (const char* name : mutation.cases) {
+    const VerifyCase* verify_case = find_case(name);
+    if (verify_case != nullptr) reports.push_back(run_case(*verify_case, seeded(setup, mutation)));
+  }
+  return reports;
+}
+
+bool is_caught(std::span<const CaseReport> reports) {
+  return std::any_of(reports.begin(), reports.end(), [](const CaseReport& report) { return !report.held; });
+}
+
+}  // namespace vernier

@@ -1,0 +1,129 @@
+#include "verify/verify_report.h"
+
+#include <cmath>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+namespace vernier {
+namespace {
+
+const char* level_name(Accuracy level) {
+  return level == Accuracy::fast ? "fast" : level == Accuracy::robust ? "robust" : "exact";
+}
+
+/// "1.2e-07", or "-" where there is nothing to say.
+std::string figure(bool there, double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.3g", value);
+  return there ? text : "-";
+}
+
+template <typename... Values>
+std::string row(const char* format, Values... values) {
+  char text[512];
+  std::snprintf(text, sizeof text, format, values...);
+  return text;
+}
+
+const char* verdict(const CaseReport& report) {
+  return !report.held ? "FAILED" : report.result.failures > 0 ? "no target" : "held";
+}
+
+nlohmann::json case_json(const CaseReport& report) {
+  const CaseResult& result = report.result;
+  nlohmann::json json = {{"number", report.verify_case->number},
+                         {"name", report.verify_case->name},
+                         {"property", report.verify_case->property},
+                         {"oracle", report.verify_case->oracle},
+                         {"samples", result.samples},
+                         {"failures", result.failures},
+                         {"non_finite", result.non_finite},
+                         {"seconds", report.seconds},
+                         {"held", report.held}};
+  json["rate_bound"] = result.failures == 0 ? nlohmann::json(rate_bound(result.samples)) : nlohmann::json(nullptr);
+  if (result.has_errors) {
+    json["error"] = {{"unit", result.unit}, {"p50", result.p50}, {"p99", result.p99}, {"max", result.max}};
+    json["error"]["bound"] = std::isfinite(result.bound) ? nlohmann::json(result.bound) : nlohmann::json(nullptr);
+  }
+  if (result.failures > 0) json["first_failure"] = result.first_failure;
+  json["worst_inputs"] = result.worst_inputs;
+  return json;
+}
+
+nlohmann::json device_json(const DeviceReport& device) {
+  return devices_json({&device, 1})["devices"][0];
+}
+
+}  // namespace
+
+std::string case_table_head() {
+  return row("%3s %-20s %-12s %9s %9s %8s %9s %9s %9s %-12s %7s  %s\n", "", "case", "oracle", "samples", "failures",
+             "bound", "p50", "p99", "max", "unit", "seconds", "");
+}
+
+std::string case_line(const CaseReport& report) {
+  const CaseResult& result = report.result;
+  return row("%3d %-20s %-12s %9llu %9llu %8s %9s %9s %9s %-12s %7.2f  %s\n", report.verify_case->number,
+             report.verify_case->name, report.verify_case->oracle, static_cast<unsigned long long>(result.samples),
+             static_cast<unsigned long long>(result.failures),
+             figure(result.failures == 0, rate_bound(result.samples)).c_str(),
+             figure(result.has_errors, result.p50).c_str(), figure(result.has_errors, result.p99).c_str(),
+             figure(result.has_errors, result.max).c_str(), result.unit.c_str(), report.seconds, verdict(report));
+}
+
+std::string failure_text(const CaseReport& report, const CaseSetup& setup, const std::string& arguments) {
+  const CaseResult& result = report.result;
+  const std::string name = report.verify_case->name;
+  if (result.samples == 0) return "    " + name + ": no samples\n";
+  const std::string sample = std::to_string(result.first_failure);
+  const std::string seed = std::to_string(setup.seed);
+  return "    " + std::string(report.verify_case->property) + ": not at sample " + sample + " of seed " + seed + "\n" +
+         "    inputs: " + result.worst_inputs + "\n" + "    again: vernier verify --case " + name + " --seed " + seed +
+         " --sample " + sample + arguments + "\n";
+}
+
+nlohmann::json verify_json(const DeviceReport& device, const CaseSetup& setup, std::span<const CaseReport> reports) {
+  nlohmann::json cases = nlohmann::json::array();
+  bool held = true;
+  for (const CaseReport& report : reports) {
+    cases.push_back(case_json(report));
+    held = held && report.held;
+  }
+  return {{"schema", 1},        {"device", device_json(device)},
+          {"seed", setup.seed}, {"level", level_name(setup.level)},
+          {"held", held},       {"samples_per_case", setup.sample_count},
+          {"cases", cases}};
+}
+
+std::string mutation_line(const Mutation& mutation, std::span<const CaseReport> reports) {
+  for (const CaseReport& report : reports) {
+    if (report.held) continue;
+    const CaseResult& result = report.result;
+    return row("%-17s caught by %-18s %9llu failures of %9llu  %s\n", mutation.name, report.verify_case->name,
+               static_cast<unsigned long long>(result.failures), static_cast<unsigned long long>(result.samples),
+               mutation.what);
+  }
+  return row("%-17s MISSED by %3zu cases %47s%s\n", mutation.name, reports.size(), "", mutation.what);
+}
+
+nlohmann::json mutations_json(const DeviceReport& device, const CaseSetup& setup,
+                              std::span<const Mutation> seeded_faults,
+                              std::span<const std::vector<CaseReport>> reports) {
+  nlohmann::json rows = nlohmann::json::array();
+  bool all_caught = true;
+  for (std::size_t i = 0; i < seeded_faults.size(); ++i) {
+    nlohmann::json cases = nlohmann::json::array();
+    for (const CaseReport& report : reports[i]) cases.push_back(case_json(report));
+    const bool caught = is_caught(reports[i]);
+    all_caught = all_caught && caught;
+    rows.push_back(
+        {{"name", seeded_faults[i].name}, {"what", seeded_faults[i].what}, {"caught", caught}, {"cases", cases}});
+  }
+  return {{"schema", 1},
+          {"device", device_json(device)},
+          {"seed", setup.seed},
+          {"caught", all_caught},
+          {"mutations", rows}};
+}
+
+}  // namespace vernier

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <span>
+#include <string>
+
+#include "gpu/describe_devices.h"
+#include "verify/mutations.h"
+
+namespace vernier {
+
+/// A line per case for people, under a head line with the names of the columns.
+std::string case_table_head();
+/// One line: number, case, oracle, samples, failures, bound of their rate where there are none, p50, p99 and largest
+/// error with unit, seconds, verdict.
+std::string case_line(const CaseReport& report);
+
+/// Of a case that broke its target: the sample, its inputs, and the command that makes it again. `arguments` are those
+/// that chose device and level, "" or with a leading space.
+std::string failure_text(const CaseReport& report, const CaseSetup& setup, const std::string& arguments);
+
+/// {"schema": 1, "device": ..., "level", "seed", "samples_per_case", "held", "cases": [...]} of a run; device as in
+/// `vernier devices --json`.
+nlohmann::json verify_json(const DeviceReport& device, const CaseSetup& setup, std::span<const CaseReport> reports);
+
+/// One line: fault, caught or missed, by which case after how many samples.
+std::string mutation_line(const Mutation& mutation, std::span<const CaseReport> reports);
+
+/// {"schema": 1, "device": ..., "seed", "caught", "mutations": [...]}, a row of `reports` per row of `seeded_faults`.
+nlohmann::json mutations_json(const DeviceReport& device, const CaseSetup& setup,
+                              std::span<const Mutation> seeded_faults,
+                              std::span<const std::vector<CaseReport>> reports);
+
+}  // namespace vernier
