@@ -20,10 +20,12 @@ float max3(IN(vec3) v) { return max(v.x, max(v.y, v.z)); }
 
 // v / |v|, the same bits for v scaled by any power of two; the zero vector for zero length or a non-finite component.
 vec3 unit_vector(IN(vec3) v) {
-  float largest = max(abs(v.x), max(abs(v.y), abs(v.z)));
-  if (!(largest > 0.0f) || !is_finite(largest)) return vec3(0.0f);
+  // Sizes as integers: in order, and NaN lies above infinity, where max() of floats would lose it.
+  const uint size_bits = 0x7fffffffu;
+  uint largest = max(floatBitsToUint(v.x) & size_bits, max(floatBitsToUint(v.y) & size_bits, floatBitsToUint(v.z) & size_bits));
+  if (largest == 0u || largest >= 0x7f800000u) return vec3(0.0f);
   // Scaling by a power of two is exact; it keeps the squares from overflow and underflow.
-  uint exponent = clamp(floatBitsToUint(largest) >> 23, 1u, 252u);
+  uint exponent = clamp(largest >> 23, 1u, 252u);
   float scale = uintBitsToFloat((253u - exponent) << 23);
   precise vec3 w = v * scale;
   precise float length_squared = w.x * w.x + w.y * w.y + w.z * w.z;

@@ -24,7 +24,7 @@ RayAnswer first_answer(const Found found) {
 
 // The search that goes on from `hit` along the query's outgoing direction, as trace_path.glsl and direct_light.glsl start it.
 Search respawned_search(const RayQuery query, const Hit hit, inout RayAnswer answer) {
-  TrianglePoint point = triangle_point(hit);
+  TrianglePoint point = triangle_point(Ray(query.origin, query.direction), hit);
   SurfacePoint surface = surface_point(point, fetch_material(point.vertices.w), no_slot_texels(), query.direction);
   answer.position = surface.position;
   answer.normal = surface.geometric_normal;
