@@ -50,6 +50,7 @@ TEST(Rounding, unit_vector_does_not_change_with_a_power_of_two) {
 TEST(Rounding, unit_vector_of_what_has_no_direction_is_zero) {
   EXPECT_EQ(unit_vector(vec3(0.0f)), vec3(0.0f));
   EXPECT_EQ(unit_vector(vec3(kNan)), vec3(0.0f));
+  EXPECT_EQ(unit_vector(vec3(kNan, -0.0f, 1e38f)), vec3(0.0f));
   EXPECT_EQ(unit_vector(vec3(1, kInfinity, 0)), vec3(0.0f));
   EXPECT_EQ(unit_vector(vec3(0, 0, -LARGEST_FLOAT)), vec3(0, 0, -1));
   EXPECT_EQ(unit_vector(vec3(0x1p-126f, 0, 0)), vec3(1, 0, 0));
