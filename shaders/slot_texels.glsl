@@ -35,6 +35,7 @@ uint readable_slots() {
   return slots;
 }
 
+// Those of a material without textures.
 SlotTexels no_slot_texels() {
   vec4 one = vec4(1.0f);
   return SlotTexels(one, one, one, one, one, one, one, one, one, 0u, true);

@@ -28,7 +28,9 @@ class RayScene {
   /// Uploads a packed scene.
   RayScene(const Device& device, PackedScene packed);
 
+  /// The tree over the triangles.
   const Bvh& bvh() const { return packed_.bvh; }
+  /// Its buffers.
   const GpuScene& on_device() const { return gpu_; }
   /// What every dispatch carries.
   DispatchConstants constants() const;

@@ -15,8 +15,8 @@ RENDER_DEFAULTS = {
 UNITS = {"--size": "pixels", "--crop": "pixels", "--eye": "metres", "--target": "metres", "--fov": "degrees",
          "--light": "candela", "--dispatch-ms": "milliseconds", "--time-limit": "seconds", "--exposure": "stops",
          "--spp": "samples per pixel", "--background": "linear radiance"}
-COMMANDS = ["render", "explain", "reference", "diff", "devices"]
-LATER = ["view", "cost", "verify", "merge", "rerun"]
+COMMANDS = ["render", "explain", "reference", "diff", "devices", "verify"]
+LATER = ["view", "cost", "merge", "rerun"]
 
 
 def option_texts(text):

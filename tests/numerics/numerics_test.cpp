@@ -1,0 +1,46 @@
+// The numeric suite on two drivers, every case at the levels that promise something.
+#include "gpu/device_test.h"
+#include "verify/run_cases.h"
+
+namespace vernier {
+namespace {
+
+struct CaseAtLevel {
+  const VerifyCase* verify_case;
+  Accuracy level;
+};
+
+std::string name_of(const CaseAtLevel& one) {
+  return std::string(one.verify_case->name) + (one.level == Accuracy::robust ? "_robust" : "_exact");
+}
+
+std::vector<CaseAtLevel> all_cases() {
+  std::vector<CaseAtLevel> all;
+  for (const VerifyCase& one : verify_cases()) {
+    all.push_back({&one, Accuracy::robust});
+    all.push_back({&one, Accuracy::exact});
+  }
+  return all;
+}
+
+class NumericsTest : public DeviceTest, public testing::WithParamInterface<CaseAtLevel> {};
+
+TEST_P(NumericsTest, meets_its_target) {
+  CaseSetup setup;
+  setup.device = &device();
+  setup.level = GetParam().level;
+  setup.levels = setup.level == Accuracy::robust ? LEVELS_OF(LEVEL_ROBUST) : LEVELS_OF(LEVEL_EXACT);
+  // Eight turns of 1024 rays: every target of a case has at least one. `vernier verify --rays` takes more.
+  setup.sample_count = 1u << 13;
+  const CaseReport report = run_case(*GetParam().verify_case, setup);
+  EXPECT_TRUE(report.held) << report.verify_case->property << ": " << report.result.failures << " of "
+                           << report.result.samples << ", first " << report.result.first_failure << ", largest error "
+                           << report.result.max << " " << report.result.unit << "\n"
+                           << report.result.worst_inputs;
+}
+
+INSTANTIATE_TEST_SUITE_P(Catalogue, NumericsTest, testing::ValuesIn(all_cases()),
+                         [](const testing::TestParamInfo<CaseAtLevel>& one) { return name_of(one.param); });
+
+}  // namespace
+}  // namespace vernier
