@@ -83,7 +83,7 @@ CaseResult run_refracted_direction(const CaseSetup& setup) {
 }
 
 CaseResult run_pass_through(const CaseSetup& setup) {
-  constexpr double kBound = 2.0;  // docstring
+  constexpr double kBound = 4.0;  // docstring
   std::vector<FunctionOperands> operands(setup.sample_count);
   for (std::uint64_t i = 0; i < setup.sample_count; ++i) {
     SampleRandom random(setup.seed, "pass_through", i);
