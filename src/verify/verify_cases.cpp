@@ -1,16 +1,25 @@
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "verify/box_cases.h"
 #include "verify/build_cases.h"
+#include "verify/camera_cases.h"
+#include "verify/fresnel_cases.h"
 #include "verify/hit_cases.h"
+#include "verify/light_cases.h"
 #include "verify/spawn_cases.h"
+#include "verify/specular_cases.h"
+#include "verify/sum_cases.h"
+#include "verify/texture_cases.h"
+#include "verify/vector_cases.h"
 #include "verify/verify_case.h"
 #include "verify/watertight_cases.h"
 
 namespace vernier {
 namespace {
 
-constexpr std::array kCases = {
+constexpr std::array kGeometryCases = {
     VerifyCase{1, "shared_edge", "rays at edges of a closed mesh do not get out", "metamorphic", run_shared_edge},
     VerifyCase{2, "shared_vertex", "rays at vertices of a closed mesh do not get out", "metamorphic",
                run_shared_vertex},
@@ -53,10 +62,25 @@ constexpr std::array kCases = {
     VerifyCase{54, "seam", "two triangles that fill the picture show no gap", "metamorphic", run_seam},
 };
 
+std::vector<VerifyCase> joined_cases() {
+  std::vector<VerifyCase> cases(kGeometryCases.begin(), kGeometryCases.end());
+  const auto append = [&](std::span<const VerifyCase> more) { cases.insert(cases.end(), more.begin(), more.end()); };
+  append(kFresnelCases);
+  append(kSpecularCases);
+  append(kVectorCases);
+  append(kTextureCases);
+  append(kSumCases);
+  append(kLightCases);
+  append(kCameraCases);
+  std::ranges::stable_sort(cases, {}, &VerifyCase::number);
+  return cases;
+}
+
 }  // namespace
 
 std::span<const VerifyCase> verify_cases() {
-  return kCases;
+  static const std::vector<VerifyCase> cases = joined_cases();
+  return cases;
 }
 
 }  // namespace vernier
