@@ -112,6 +112,15 @@ void answer_refraction() {
   answer_vector(0u, refracted_direction(operand_vector(0u), operand_vector(3u), operand_vector(3u), operand(6u), fresnel));
 }
 
+// The triangle's point of these weights: no ray decides them.
+TrianglePoint weighted_point(float b1, float b2) {
+  TrianglePoint point = triangle_point(Ray(vec3(0.0), vec3(0.0, 0.0, 1.0)), Hit(1.0, 0u, 0u, b1, b2));
+  point.b0 = 1.0 - b1 - b2;
+  point.b1 = b1;
+  point.b2 = b2;
+  return point;
+}
+
 void main() {
   if (gl_GlobalInvocationID.x * VERIFY_OPERANDS >= operands.length()) return;
   switch (FUNCTION) {
@@ -153,19 +162,19 @@ void main() {
       answer_sum();
       break;
     case VERIFY_UV: {
-      vec2 uv = interpolated_uv(triangle_point(Hit(1.0, 0u, 0u, operand(6u), operand(7u))), 0u);
+      vec2 uv = interpolated_uv(weighted_point(operand(6u), operand(7u)), 0u);
       answer(0u, uv.x);
       answer(1u, uv.y);
       break;
     }
     case VERIFY_FRAME: {
-      vec4 frame = tangent_frame(triangle_point(Hit(1.0, 0u, 0u, 0.0, 0.0)), operand_vector(12u), 0u);
+      vec4 frame = tangent_frame(weighted_point(0.0, 0.0), operand_vector(12u), 0u);
       answer_vector(0u, first_three(frame));
       answer(3u, frame.w);
       break;
     }
     case VERIFY_NORMAL: {
-      TrianglePoint point = triangle_point(Hit(1.0, 0u, 0u, operand(9u), operand(10u)));
+      TrianglePoint point = weighted_point(operand(9u), operand(10u));
       answer_vector(0u, interpolated_normal(point, operand_vector(11u)));
       break;
     }
