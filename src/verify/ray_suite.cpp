@@ -106,6 +106,13 @@ std::vector<RayScene> scenes_of(const CaseSetup& setup, const std::vector<Target
   return scenes;
 }
 
+CaseResult if_judged(CaseResult result, std::uint64_t judged) {
+  if (2 * judged >= result.samples) return result;
+  if (result.failures == 0) result.worst_inputs = "only " + std::to_string(judged) + " samples could be judged";
+  ++result.failures;
+  return result;
+}
+
 CaseResult closed_targets_case(const CaseSetup& setup, const char* name, const std::vector<Target>& targets,
                                const std::function<Aim(SampleRandom&)>& aim) {
   Tally tally;
