@@ -139,7 +139,11 @@ CaseResult against_every_triangle(const CaseSetup& setup, const char* name, cons
     const std::vector<RayAnswer> expected = every.test(triangle_records(triangles_of(meshes[target])), queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
       const bool held = answers[i].finished == 1 && expected[i].finished == 1 && same_hit(answers[i], expected[i]);
-      tally.book(held, [&] { return ray_inputs(queries[i]); });
+      tally.book(held, [&] {
+        return ray_inputs(queries[i]) + " hit=" + std::to_string(answers[i].triangle) + " " +
+               hex_floats({{"t", answers[i].t}}) + " expected=" + std::to_string(expected[i].triangle) + " " +
+               hex_floats({{"t", expected[i].t}});
+      });
       if (steps != nullptr) steps->push_back(answers[i].nodes + answers[i].tested);
     }
   });
