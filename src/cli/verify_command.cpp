@@ -14,7 +14,7 @@ namespace vernier {
 namespace {
 
 struct VerifyArguments {
-  std::uint64_t rays = 1u << 15;
+  std::uint64_t rays = 1u << 16;
   std::string level = "robust";
   std::string case_name;
   std::uint64_t seed = 0;
@@ -143,7 +143,7 @@ void add_verify_command(CLI::App& app, Command& chosen) {
       "verify",
       "Runs the hard cases of the numeric suite on a device, with the shader functions that render. Exit code 0 "
       "when every target of the level is met, or when every seeded fault was caught; else 1.");
-  command.add_option("--rays", arguments->rays, "samples per case (default: 32768)")->type_name("N");
+  command.add_option("--rays", arguments->rays, "samples per case (default: 65536)")->type_name("N");
   command
       .add_option("--level", arguments->level,
                   "numeric level: fast (shown, no targets), robust or exact (default: robust)")

@@ -106,6 +106,13 @@ std::vector<RayScene> scenes_of(const CaseSetup& setup, const std::vector<Target
   return scenes;
 }
 
+CaseResult if_judged(CaseResult result, std::uint64_t judged) {
+  if (2 * judged >= result.samples) return result;
+  if (result.failures == 0) result.worst_inputs = "only " + std::to_string(judged) + " samples could be judged";
+  ++result.failures;
+  return result;
+}
+
 CaseResult closed_targets_case(const CaseSetup& setup, const char* name, const std::vector<Target>& targets,
                                const std::function<Aim(SampleRandom&)>& aim) {
   Tally tally;
@@ -132,7 +139,11 @@ CaseResult against_every_triangle(const CaseSetup& setup, const char* name, cons
     const std::vector<RayAnswer> expected = every.test(triangle_records(triangles_of(meshes[target])), queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
       const bool held = answers[i].finished == 1 && expected[i].finished == 1 && same_hit(answers[i], expected[i]);
-      tally.book(held, [&] { return ray_inputs(queries[i]); });
+      tally.book(held, [&] {
+        return ray_inputs(queries[i]) + " hit=" + std::to_string(answers[i].triangle) + " " +
+               hex_floats({{"t", answers[i].t}}) + " expected=" + std::to_string(expected[i].triangle) + " " +
+               hex_floats({{"t", expected[i].t}});
+      });
       if (steps != nullptr) steps->push_back(answers[i].nodes + answers[i].tested);
     }
   });

@@ -46,6 +46,10 @@ void trace_samples(const CaseSetup& setup, const char* name, std::uint32_t funct
 /// The scenes of `targets` on the device of `setup`.
 std::vector<RayScene> scenes_of(const CaseSetup& setup, const std::vector<Target>& targets);
 
+/// `result` with a failure more where fewer than half of its samples could be judged: a case that judges nothing shows
+/// nothing.
+CaseResult if_judged(CaseResult result, std::uint64_t judged);
+
 /// Every ray from inside closed targets must hit something.
 CaseResult closed_targets_case(const CaseSetup& setup, const char* name, const std::vector<Target>& targets,
                                const std::function<Aim(SampleRandom&)>& aim);
