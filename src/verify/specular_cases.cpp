@@ -46,13 +46,13 @@ FunctionOperands highlight(SampleRandom& random, double angle, float exponent) {
   return o;
 }
 
-/// The definition on the operands as unit vectors: cos^e by the logarithm of a cosine taken from the sine where it is
+/// The definition on the operands: cos^e by the logarithm of a cosine taken from the sine where it is
 /// near 1, so that the oracle has no cancellation of its own.
 long double exact_highlight(const FunctionOperands& o) {
   const WideVector n = glm::normalize(WideVector(o[0], o[1], o[2]));
-  const WideVector l = glm::normalize(WideVector(o[3], o[4], o[5]));
-  const WideVector v = glm::normalize(WideVector(o[6], o[7], o[8]));
-  const WideVector h = glm::normalize(l + v);
+  // L and V are unit to a rounding each, and the half vector is that of the two as they are: scaled to unit length
+  // first, it would turn by that rounding, which the exponent 1e7 magnifies to 1e-4.
+  const WideVector h = glm::normalize(WideVector(o[3], o[4], o[5]) + WideVector(o[6], o[7], o[8]));
   if (glm::dot(n, h) <= 0.0L) return 0.0L;
   const WideVector sine = glm::cross(n, h);
   return std::exp(0.5L * o[9] * std::log1p(-glm::dot(sine, sine)));

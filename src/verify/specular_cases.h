@@ -14,8 +14,7 @@ CaseResult run_highlight_limits(const CaseSetup& setup);
 CaseResult run_highlight_monotone(const CaseSetup& setup);
 /// L = -V, exactly and within 1e-7: finite and in [0, 1], and 0 where the half vector vanishes.
 CaseResult run_zero_half_vector(const CaseSetup& setup);
-/// log(1 - s) for s 1e-38 to 1 - 2^-24 against log1p in long double. 8 ulps: seven roundings of the series' last steps;
-/// for s of 1/4 and more the 3 ulps of Vulkan's log, or its absolute 2^-21 for 1 - s in [0.5, 2], are added.
+/// log(1 - s) for s 1e-36 to 1/4 against log1p in long double. 8 ulps: seven roundings of the series' last steps.
 CaseResult run_log_one_minus(const CaseSetup& setup);
 /// Schlick's weight (1 - c)^5 against long double: 5 ulps for the rounding of 1 - c, which counts five times, and four
 /// products add 4 to it: 9.
