@@ -29,7 +29,8 @@ std::string mutation_names();
 /// `setup` with the fault seeded, the targets those of robust.
 CaseSetup seeded(const CaseSetup& setup, const Mutation& mutation);
 
-/// Runs the mutation's cases with the fault seeded, all of them. A case that is not part of this build is left out.
+/// Runs the mutation's cases with the fault seeded, but those that break their target without it as well: they can
+/// witness nothing. A case that is not part of this build is left out.
 std::vector<CaseReport> run_mutation(const Mutation& mutation, const CaseSetup& setup);
 
 /// Whether a case broke its target.
