@@ -1,5 +1,6 @@
 // The numeric suite on two drivers, every case at the levels that promise something.
 #include "gpu/device_test.h"
+#include "numerics/known_failures.h"
 #include "verify/run_cases.h"
 
 namespace vernier {
@@ -32,11 +33,13 @@ TEST_P(NumericsTest, meets_its_target) {
   setup.levels = setup.level == Accuracy::robust ? LEVELS_OF(LEVEL_ROBUST) : LEVELS_OF(LEVEL_EXACT);
   // Eight turns of 1024 rays: every target of a case has at least one. `vernier verify --rays` takes more.
   setup.sample_count = 1u << 13;
+  const bool known = is_known_failure(name_of(GetParam()), !device().description().is_llvmpipe);
+  if (known) setup.sample_count = 1u << 16;  // enough that it shows
   const CaseReport report = run_case(*GetParam().verify_case, setup);
-  EXPECT_TRUE(report.held) << report.verify_case->property << ": " << report.result.failures << " of "
-                           << report.result.samples << ", first " << report.result.first_failure << ", largest error "
-                           << report.result.max << " " << report.result.unit << "\n"
-                           << report.result.worst_inputs;
+  EXPECT_EQ(report.held, !known) << report.verify_case->property << ": " << report.result.failures << " of "
+                                 << report.result.samples << ", first " << report.result.first_failure
+                                 << ", largest error " << report.result.max << " " << report.result.unit << "\n"
+                                 << report.result.worst_inputs;
 }
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, NumericsTest, testing::ValuesIn(all_cases()),
