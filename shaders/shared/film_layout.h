@@ -6,7 +6,7 @@
 // bits in any order. One sample counts up to 2^32 (52 integer bits less 2^20 samples), in steps of 2^-44.
 #define FILM_FRACTION_BITS 44u
 #define FILM_SAMPLE_MAX_EXPONENT 32u
-#define FILM_PLAIN_SUM 0xffffffffu  // high word of a sum of the fast level, whose low word is a float
+#define FILM_PLAIN_SUM 0xffffffffu  // high word of a sum of the fast level; the middle one is 0, the low one a float
 #define FILM_RED 0u         // three words each, low word first
 #define FILM_GREEN 3u
 #define FILM_BLUE 6u

@@ -13,7 +13,7 @@ namespace {
 
 /// Mean of `samples` values whose 96-bit sum starts at `words`.
 float mean_of(const std::uint32_t* words, std::uint32_t samples) {
-  if (words[2] == FILM_PLAIN_SUM) return std::bit_cast<float>(words[0]) / static_cast<float>(samples);
+  if (words[2] == FILM_PLAIN_SUM && words[1] == 0) return std::bit_cast<float>(words[0]) / static_cast<float>(samples);
   // Exact but for the last step: a double holds the upper 53 bits, rounded by the first addition that needs it.
   const double sum = std::ldexp(words[2], 64) + (std::ldexp(words[1], 32) + words[0]);
   return static_cast<float>(std::ldexp(sum, -static_cast<int>(FILM_FRACTION_BITS)) / samples);
