@@ -5,7 +5,8 @@
 #include "surface.glsl"
 
 // The fast level's distance from any surface, in units of the traced space, which reaches from -1 to 1: it grows into thin
-// layers of large scenes and is too small for rays that start far out.
+// layers of large scenes and is too small for rays that start far out. Not derived from anything: the level stands for the
+// habit of choosing such a number, and 1e-4 is what is usually chosen.
 const float FIXED_OFFSET = 1e-4f;
 
 // The hit point moved along the geometric normal to the side that `direction` leaves on, by the error bound's extent along

@@ -5,7 +5,7 @@
 
 #define LEVEL_FAST 0u    // what most renderers do
 #define LEVEL_ROBUST 1u  // bounded errors in float32
-#define LEVEL_EXACT 2u   // decisions as if in exact arithmetic, results right to the last place
+#define LEVEL_EXACT 2u   // edge decisions as if in exact arithmetic, results from twice the precision
 
 #define SPOT_BOX 0u       // ray against the boxes of the BVH
 #define SPOT_TRIANGLE 1u  // ray against triangle: the decision, t and the weights

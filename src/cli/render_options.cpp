@@ -115,10 +115,9 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
                  "primitive_id, sample_count, cost (per sample); EXR holds them all, other formats make NAME.AOV.EXT "
                  "(default: none)")
       ->type_name("LIST");
-  app.add_option(
-         "--accuracy", arguments.accuracy,
-         "numeric level: fast (what most renderers do), robust (bounded errors) or exact (right to the last place) "
-         "(default: robust)")
+  app.add_option("--accuracy", arguments.accuracy,
+                 "numeric level: fast (what most renderers do), robust (bounded errors) or exact (twice the precision) "
+                 "(default: robust)")
       ->type_name("LEVEL");
   add_effects_option(app, arguments.effects);
   app.add_option("--tile", arguments.tile, "pixels of a submission; never changes a bit of the image (default: chosen)")

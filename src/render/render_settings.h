@@ -18,7 +18,7 @@ struct PixelRect {
   int height = 0;
 };
 
-/// Numeric level (README, Accuracy): what most renderers do; bounded errors; results right to the last place.
+/// Numeric level (README, Accuracy): what most renderers do; bounded errors; twice the precision.
 enum class Accuracy { fast, robust, exact };
 
 /// The level's name on the command line.
