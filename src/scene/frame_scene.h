@@ -18,12 +18,12 @@ WorldBounds world_bounds(const Scene& scene);
 
 /// A camera at three quarters (from +X +Y +Z) with `vertical_fov` that sees all of `bounds` in an image of
 /// `aspect` = width / height: the nearest eye whose picture the box fills, but for a margin of 5 %, in width or height;
-/// it lies in the picture's middle in both. A box thinner than 1/1000 of its largest extent on one axis is seen from nearer that axis's positive
-/// side. A box without extent is given 1 metre, an empty one that at the origin.
+/// it lies in the picture's middle in both. A box thinner than 1/1000 of its largest extent on one axis is seen from
+/// nearer that axis's positive side. A box without extent is given 1 metre, an empty one that at the origin.
 Camera frame_camera(const WorldBounds& bounds, double vertical_fov, double aspect);
 
-/// The same for the vertices of all triangles of `scene`, which has passed validate_scene, but a room that would be seen
-/// from outside is seen through the side where it is open (choose_view_side).
+/// The same for the vertices of all triangles of `scene`, which has passed validate_scene, but a room that would be
+/// seen from outside is seen through the side where it is open (choose_view_side).
 Camera frame_scene(const Scene& scene, double vertical_fov, double aspect);
 
 /// Adds what a scene without lights and environment is shown with: a directional key from above and beside `camera`,
