@@ -99,6 +99,16 @@ float signed_difference_of_products(IN(float) a, IN(float) b, IN(float) c, IN(fl
   return difference;
 }
 
+// A number with the sign of a b - c d, and 0 only where that is 0: rounding is monotone, so that products which differ rounded
+// differ in the same direction, and of equal ones the errors decide.
+float sign_of_difference(IN(float) a, IN(float) b, IN(float) c, IN(float) d) {
+  DoubleFloat ab = two_product(a, b);
+  DoubleFloat cd = two_product(c, d);
+  precise float difference = ab.hi - cd.hi;
+  precise float rest = ab.lo - cd.lo;
+  return difference != 0.0f ? difference : rest;
+}
+
 // Three numbers of twice the precision.
 struct WideVector {
   DoubleFloat x, y, z;

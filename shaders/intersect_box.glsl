@@ -8,13 +8,16 @@
 // What the slab tests need of a ray.
 struct SlabRay {
   vec3 origin;
+  int largest;      // axis of the largest component of the direction
   vec3 inverse;     // 1 / direction, components at most 2^80 in size, the sign bit that of the direction
   bvec3 backwards;  // sign bit of the direction: the far plane is the lower one
 };
 
 // Roundings between the exact t of a box plane and the computed one: origin difference, reciprocal (up to 2.5 ulp on a
-// Vulkan device, 5 half ulps), product, sum. Ize 2013, "Robust BVH Ray Traversal", JCGT 2(2), with the terms of the grid.
-const float SLAB_ROUNDINGS = 8.0f;
+// Vulkan device, 5 half ulps), product, sum: 8. Ize 2013, "Robust BVH Ray Traversal", JCGT 2(2), with the terms of the grid.
+// And those that move a corner sideways in the ray's frame (intersect_triangle.glsl), where a ray counts as a hit although it
+// passes beside the triangle: 2 of the corner's own distance and 8 of its depth along the largest axis, in units of t.
+const float SLAB_ROUNDINGS = 10.0f;
 
 const int SLAB_MISS = 0x7fffffff;
 
@@ -33,6 +36,7 @@ float bounded_reciprocal(IN(float) d) {
 SlabRay slab_ray(IN(Ray) ray) {
   SlabRay slab;
   slab.origin = ray.origin;
+  slab.largest = largest_axis(ray.direction);
   slab.inverse = vec3(bounded_reciprocal(ray.direction.x), bounded_reciprocal(ray.direction.y),
                       bounded_reciprocal(ray.direction.z));
   slab.backwards = bvec3(floatBitsToInt(slab.inverse.x) < 0, floatBitsToInt(slab.inverse.y) < 0,
@@ -48,15 +52,13 @@ struct SlabAxis {
   float far;
 };
 
-SlabAxis slab_axis(IN(float) grid_origin, IN(uint) exponent, IN(float) origin, IN(float) inverse) {
-  SlabAxis axis;
-  axis.cell = uintBitsToFloat(exponent << 23) * inverse;
-  float start = (grid_origin - origin) * inverse;
-  float bound = (abs(start) + 255.0f * abs(axis.cell)) * gamma_bound(SLAB_ROUNDINGS);
+// How far the planes of an axis lie away at most, in units of t.
+float slab_reach(IN(float) start, IN(float) cell) { return abs(start) + 255.0f * abs(cell); }
+
+SlabAxis slab_axis(IN(float) start, IN(float) cell, IN(float) reach) {
+  float bound = (slab_reach(start, cell) + reach) * gamma_bound(SLAB_ROUNDINGS);
   if (level_at(SPOT_BOX) == LEVEL_FAST) bound = 0.0f;
-  axis.near = start - bound;
-  axis.far = start + bound;
-  return axis;
+  return SlabAxis(cell, start - bound, start + bound);
 }
 
 float byte_of(IN(uint) word, IN(uint) slot) { return float((word >> (8u * slot)) & 255u); }
@@ -78,9 +80,12 @@ int child_entry(IN(uint) slot, IN(uint) child_count, IN(SlabAxis) x, IN(SlabAxis
 
 // Entries of the four children of the node in texels a, b, c, nearest first.
 ivec4 intersect_children(IN(SlabRay) ray, IN(uvec4) a, IN(uvec4) b, IN(uvec4) c, IN(float) t_min, IN(float) t_max) {
-  SlabAxis x = slab_axis(uintBitsToFloat(a.x), a.w & 255u, ray.origin.x, ray.inverse.x);
-  SlabAxis y = slab_axis(uintBitsToFloat(a.y), (a.w >> 8) & 255u, ray.origin.y, ray.inverse.y);
-  SlabAxis z = slab_axis(uintBitsToFloat(a.z), (a.w >> 16) & 255u, ray.origin.z, ray.inverse.z);
+  vec3 start = (uintBitsToFloat(uvec3(a.x, a.y, a.z)) - ray.origin) * ray.inverse;
+  vec3 cell = uintBitsToFloat(uvec3((a.w << 23) & 0x7f800000u, (a.w << 15) & 0x7f800000u, (a.w << 7) & 0x7f800000u)) * ray.inverse;
+  float depth = slab_reach(axis_of(start, ray.largest), axis_of(cell, ray.largest));
+  SlabAxis x = slab_axis(start.x, cell.x, depth);
+  SlabAxis y = slab_axis(start.y, cell.y, depth);
+  SlabAxis z = slab_axis(start.z, cell.z, depth);
   uvec3 near_bytes = uvec3(ray.backwards.x ? b.y : b.x, ray.backwards.y ? b.w : b.z, ray.backwards.z ? c.y : c.x);
   uvec3 far_bytes = uvec3(ray.backwards.x ? b.x : b.y, ray.backwards.y ? b.z : b.w, ray.backwards.z ? c.x : c.y);
   int t_lo = floatBitsToInt(t_min);

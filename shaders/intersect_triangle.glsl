@@ -7,27 +7,26 @@
 #include "ray.glsl"
 
 // The ray's own frame: axes permuted so that z is the largest component of the direction, and the shear that turns the
-// ray into the z axis. The same for all triangles, so that a shared corner has the same bits in each of them. Where the ray
-// runs against z the frame is left-handed: edge values and their sum change their sign together.
+// ray into the z axis. The same for all triangles, so that a shared corner has the same bits in each of them.
 struct ShearedRay {
   vec3 origin;
   vec3 direction;
   int largest;    // axis of the largest component
   vec3 shear;     // (dx / dz, dy / dz, 1 / dz)
-  float depth_per_t;  // |dz|: from z in units of t to units of space
-  float near_depth;   // corners nearer than that may lie behind by the rounding of the origin
+  float nearest;  // corners nearer than that, in units of t, may lie behind by the rounding of the origin
 };
 
 // Where a ray crosses a triangle, before that is judged.
 struct Crossing {
   bool inside;
   float t;
-  float b1, b2;  // weights of corners 1 and 2
   bool in_front;  // of the origin, for certain
 };
 
-// Roundings between a corner's exact place in the ray's frame and the computed one, and those of the origin.
-const float CORNER_ROUNDINGS = 8.0f;
+// Roundings between the origin meant and the one given.
+const float ORIGIN_ROUNDINGS = 8.0f;
+// Roundings of the side of a plane that the origin lies on.
+const float SIDE_ROUNDINGS = 10.0f;
 
 // v with `axis` last, in cyclic order.
 vec3 axis_last(IN(vec3) v, IN(int) axis) {
@@ -36,15 +35,13 @@ vec3 axis_last(IN(vec3) v, IN(int) axis) {
 
 // The frame of `ray`, whose direction is not zero.
 ShearedRay sheared_ray(IN(Ray) ray) {
-  vec3 size = abs(ray.direction);
   ShearedRay frame;
   frame.origin = ray.origin;
   frame.direction = ray.direction;
-  frame.largest = size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+  frame.largest = largest_axis(ray.direction);
   vec3 d = axis_last(ray.direction, frame.largest);
   frame.shear = vec3(d.x / d.z, d.y / d.z, 1.0f / d.z);
-  frame.depth_per_t = abs(d.z);
-  frame.near_depth = gamma_bound(CORNER_ROUNDINGS) * max3(abs(ray.origin));
+  frame.nearest = gamma_bound(ORIGIN_ROUNDINGS) * max3(abs(ray.origin)) * abs(frame.shear.z);
   return frame;
 }
 
@@ -55,36 +52,38 @@ vec3 sheared_corner(IN(ShearedRay) ray, IN(vec3) corner) {
   return q;
 }
 
-// The largest |x| and |y| of three sheared corners.
-float largest_size_across(IN(vec3) p0, IN(vec3) p1, IN(vec3) p2) {
-  return max(max(max(abs(p0.x), abs(p0.y)), max(abs(p1.x), abs(p1.y))), max(abs(p2.x), abs(p2.y)));
-}
+// The crossing with a triangle's plane.
+struct PlaneCrossing {
+  float t;
+  bool in_front;  // of the origin, for certain
+};
 
-// Whether a crossing inside the triangle at the computed t lies in front of the origin for certain.
-// Either t exceeds the bound of its error (pbrt-v4's derivation in "Robust Triangle Intersections", Physically Based
-// Rendering 4th ed., section 6.8.7; its x, y and z are in units of space) with the largest of all x and y of the corners,
-// L, in place of each and 2 L^2 in place of each edge value, which costs half as much: nearer hits may lie behind the
-// origin. Or all corners lie in front: the bound of a triangle seen edge-on may be as large as t itself, and a ray aimed at
-// its edge would slip through a closed surface.
-bool is_in_front(IN(ShearedRay) ray, IN(vec3) p0, IN(vec3) p1, IN(vec3) p2, IN(float) inverse_det, IN(float) t) {
-  if (mutated(MUTATION_NO_LOWER_BOUND)) return t > 0.0f;
-  float largest_xy = largest_size_across(p0, p1, p2);
-  float largest_z = max(abs(p0.z), max(abs(p1.z), abs(p2.z)));
-  float largest_depth = largest_z * ray.depth_per_t;
-  float error_t = 3.0f * largest_z * abs(inverse_det) * largest_xy *
-                  ((4.0f * gamma_bound(3.0f) + 2.0f * gamma_bound(2.0f) + 4.0f * gamma_bound(5.0f)) * largest_xy +
-                   4.0f * gamma_bound(5.0f) * largest_depth);
-  float nearest_depth = min(p0.z, min(p1.z, p2.z)) * ray.depth_per_t;
-  float near_depth = ray.near_depth + gamma_bound(CORNER_ROUNDINGS) * (2.0f * largest_xy + largest_depth);
-  return t > error_t || nearest_depth > near_depth;
+// Where the ray crosses the plane of v0 v1 v2, between the depths `nearest` and `farthest` of its corners. By the plane, not by
+// the weights of the corners, since those of a sliver know little of its depth; v0 lies opposite the longest edge
+// (src/bvh/corner_order.h), so that a needle's normal comes from its short edges.
+// In front for certain is a crossing whose origin lies on that side of the plane by more than the error of the side (Shewchuk
+// 1997, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", section 4.2, with the roundings
+// of the edges: 4 for the normal, 1 for the corner, 3 for the dot product, 2 for the bound itself). Or one whose origin lies in
+// the plane within that error and before all corners: a ray along a triangle, aimed at its edge, would slip through a closed
+// surface.
+PlaneCrossing plane_crossing(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2, IN(float) nearest, IN(float) farthest) {
+  precise vec3 p = v0 - ray.origin;
+  precise vec3 e1 = v1 - v0;
+  precise vec3 e2 = v2 - v0;
+  precise vec3 plus = vec3(e1.y * e2.z, e1.z * e2.x, e1.x * e2.y);
+  precise vec3 minus = vec3(e1.z * e2.y, e1.x * e2.z, e1.y * e2.x);
+  precise vec3 normal = plus - minus;
+  float side = dot_product(normal, p);
+  float approach = dot_product(normal, ray.direction);
+  float ahead = approach < 0.0f ? -side : side;
+  float t = max(min(side / approach, farthest), nearest);
+  float bound = gamma_bound(SIDE_ROUNDINGS) * dot_product(abs(plus) + abs(minus), abs(p));
+  bool certain = mutated(MUTATION_NO_LOWER_BOUND) ? t > 0.0f : ahead > bound || (ahead >= -bound && nearest > ray.nearest);
+  return PlaneCrossing(t, certain);
 }
 
 // Twice the signed areas that the ray's axis spans with the edges from p2 to p1, p0 to p2 and p1 to p0.
 vec3 edge_values(IN(vec3) p0, IN(vec3) p1, IN(vec3) p2) {
-  if (level_at(SPOT_TRIANGLE) == LEVEL_EXACT) {
-    return vec3(signed_difference_of_products(p2.x, p1.y, p2.y, p1.x), signed_difference_of_products(p0.x, p2.y, p0.y, p2.x),
-                signed_difference_of_products(p1.x, p0.y, p1.y, p0.x));
-  }
   // Rounding is monotone: a rounded difference of rounded products never has the wrong sign, only a false zero.
   precise vec3 edges = vec3(p2.x * p1.y - p2.y * p1.x, p0.x * p2.y - p0.y * p2.x, p1.x * p0.y - p1.y * p0.x);
   if (mutated(MUTATION_CONTRACTED_EDGE)) {
@@ -93,6 +92,17 @@ vec3 edge_values(IN(vec3) p0, IN(vec3) p1, IN(vec3) p2) {
     edges.x = contracted;
   }
   return edges;
+}
+
+// Numbers with the signs of the edge values; 0 only where an edge value is 0. 2^40 keeps the low parts of products of
+// coordinates down to 2^-90 in the range of floats.
+vec3 edge_signs(IN(vec3) p0, IN(vec3) p1, IN(vec3) p2) {
+  const float scale = 1.099511627776e12f;
+  vec3 q0 = p0 * scale;
+  vec3 q1 = p1 * scale;
+  vec3 q2 = p2 * scale;
+  return vec3(sign_of_difference(q2.x, q1.y, q2.y, q1.x), sign_of_difference(q0.x, q2.y, q0.y, q2.x),
+              sign_of_difference(q1.x, q0.y, q1.y, q0.x));
 }
 
 // The sign of the edge value from p to q, where it is 0 as if the ray were shifted by (e, e^2) for an infinitely small e: the
@@ -109,13 +119,10 @@ bool is_inside(IN(vec3) edges, IN(vec3) p0, IN(vec3) p1, IN(vec3) p2) {
     float w = edge_side(edges.z, p1, p0);
     return (u > 0.0f && v > 0.0f && w > 0.0f) || (u < 0.0f && v < 0.0f && w < 0.0f);
   }
-  return min(edges.x, min(edges.y, edges.z)) >= 0.0f || max(edges.x, max(edges.y, edges.z)) <= 0.0f;
-}
-
-// 2^k that brings `size` near 1, for 2^-60 <= 2^k <= 2^60: products of exact arithmetic then keep their low parts.
-float scale_to_one(IN(float) size) {
-  uint exponent = clamp(floatBitsToUint(size) >> 23, 67u, 187u);
-  return uintBitsToFloat((254u - exponent) << 23);
+  // Edge values of a tiny triangle far beside the ray are rounded to 0, and two such zeros would make it a hit.
+  bool around = min(p0.x, min(p1.x, p2.x)) <= 0.0f && max(p0.x, max(p1.x, p2.x)) >= 0.0f &&
+                min(p0.y, min(p1.y, p2.y)) <= 0.0f && max(p0.y, max(p1.y, p2.y)) >= 0.0f;
+  return around && (min(edges.x, min(edges.y, edges.z)) >= 0.0f || max(edges.x, max(edges.y, edges.z)) <= 0.0f);
 }
 
 // The crossing by the watertight test. Every ray through a shared edge or corner of two triangles hits at least one of them:
@@ -124,30 +131,36 @@ Crossing watertight_crossing(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(ve
   vec3 p0 = sheared_corner(ray, v0);
   vec3 p1 = sheared_corner(ray, v1);
   vec3 p2 = sheared_corner(ray, v2);
-  float scale = level_at(SPOT_TRIANGLE) == LEVEL_EXACT ? scale_to_one(largest_size_across(p0, p1, p2)) : 1.0f;
-  vec3 across = vec3(scale, scale, 1.0f);
-  vec3 edges = edge_values(p0 * across, p1 * across, p2 * across);
+  vec3 edges = level_at(SPOT_TRIANGLE) == LEVEL_EXACT ? edge_signs(p0, p1, p2) : edge_values(p0, p1, p2);
   precise float det = edges.x + edges.y + edges.z;
-  precise float inverse_det = 1.0f / det;
-  precise float t = (edges.x * p0.z + edges.y * p1.z + edges.z * p2.z) * inverse_det;
-  return Crossing(is_inside(edges, p0, p1, p2) && det != 0.0f, t, edges.y * inverse_det, edges.z * inverse_det,
-                  is_in_front(ray, p0, p1, p2, inverse_det * scale * scale, t));
+  PlaneCrossing plane = plane_crossing(ray, v0, v1, v2, min(p0.z, min(p1.z, p2.z)), max(p0.z, max(p1.z, p2.z)));
+  return Crossing(is_inside(edges, p0, p1, p2) && det != 0.0f, plane.t, plane.in_front);
 }
 
 // The crossing by the test of Moeller and Trumbore (1997, "Fast, Minimum Storage Ray-Triangle Intersection"): rays slip
-// through shared edges.
-Crossing plain_crossing(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2) {
+// through shared edges. (t, weights of corners 1 and 2); no number where the ray runs along the plane.
+vec3 plain_crossing(IN(Ray) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2) {
   vec3 e1 = v1 - v0;
   vec3 e2 = v2 - v0;
   vec3 p = cross_product(ray.direction, e2);
-  float det = dot_product(e1, p);
-  float inverse_det = 1.0f / det;
+  float inverse_det = 1.0f / dot_product(e1, p);
   vec3 from_corner = ray.origin - v0;
-  float b1 = dot_product(from_corner, p) * inverse_det;
   vec3 q = cross_product(from_corner, e1);
-  float b2 = dot_product(ray.direction, q) * inverse_det;
-  float t = dot_product(e2, q) * inverse_det;
-  return Crossing(det != 0.0f && b1 >= 0.0f && b2 >= 0.0f && b1 + b2 <= 1.0f, t, b1, b2, t > 0.0f);
+  return vec3(dot_product(e2, q), dot_product(from_corner, p), dot_product(ray.direction, q)) * inverse_det;
+}
+
+// The weights of corners 0, 1 and 2 where `ray`, which hits the triangle, crosses it. A search does without them.
+vec3 crossing_weights(IN(Ray) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2) {
+  if (level_at(SPOT_TRIANGLE) == LEVEL_FAST) {
+    vec3 crossing = plain_crossing(ray, v0, v1, v2);
+    return vec3(1.0f - crossing.y - crossing.z, crossing.y, crossing.z);
+  }
+  ShearedRay sheared = sheared_ray(ray);
+  vec3 edges = edge_values(sheared_corner(sheared, v0), sheared_corner(sheared, v1), sheared_corner(sheared, v2));
+  precise float det = edges.x + edges.y + edges.z;
+  float b1 = edges.y / det;
+  float b2 = edges.z / det;
+  return vec3(1.0f - b1 - b2, b1, b2);
 }
 
 // Whether the ray crosses the triangle at (t, triangle) after (t_min, after_triangle) and before `hit`, in the order of
@@ -157,7 +170,9 @@ bool intersect_triangle(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v
                         IN(float) t_min, IN(uint) after_triangle, INOUT(Hit) hit) {
   Crossing crossing;
   if (level_at(SPOT_TRIANGLE) == LEVEL_FAST) {
-    crossing = plain_crossing(ray, v0, v1, v2);
+    vec3 plain = plain_crossing(Ray(ray.origin, ray.direction), v0, v1, v2);
+    bool inside = plain.y >= 0.0f && plain.z >= 0.0f && plain.y + plain.z <= 1.0f;
+    crossing = Crossing(inside, plain.x, plain.x > 0.0f);
   } else {
     crossing = watertight_crossing(ray, v0, v1, v2);
   }
@@ -168,8 +183,6 @@ bool intersect_triangle(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v
   hit.t = accepted ? t : hit.t;
   hit.triangle = accepted ? triangle : hit.triangle;
   hit.record = accepted ? record : hit.record;
-  hit.b1 = accepted ? crossing.b1 : hit.b1;
-  hit.b2 = accepted ? crossing.b2 : hit.b2;
   return accepted;
 }
 

@@ -15,11 +15,19 @@ struct Hit {
   float t;
   uint triangle;  // global number; NONE: nothing hit
   uint record;    // of the BVH, where the corners lie
-  float b1, b2;   // weights of corners 1 and 2
 };
 
 // The start of a search for hits up to t_max, at most LARGEST_FLOAT.
-Hit no_hit(IN(float) t_max) { return Hit(t_max, NONE, NONE, 0.0f, 0.0f); }
+Hit no_hit(IN(float) t_max) { return Hit(t_max, NONE, NONE); }
+
+// The axis of the largest component of a direction: 0, 1 or 2.
+int largest_axis(IN(vec3) direction) {
+  vec3 size = abs(direction);
+  return size.x > size.y ? (size.x > size.z ? 0 : 2) : (size.y > size.z ? 1 : 2);
+}
+
+// The component of v along `axis`.
+float axis_of(IN(vec3) v, IN(int) axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
 // Whether the tracing functions may be given this ray: finite, with a direction.
 bool is_valid_ray(IN(Ray) ray) {

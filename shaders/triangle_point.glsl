@@ -3,6 +3,7 @@
 #define VERNIER_TRIANGLE_POINT_GLSL
 
 #include "exact_crossing.glsl"
+#include "intersect_triangle.glsl"
 #include "material.glsl"
 #include "ray.glsl"
 
@@ -16,21 +17,28 @@ struct TrianglePoint {
   vec3 position_error;  // bound of its distance from the triangle's plane, per axis
 };
 
-// Place and error from the weights, the largest term last: off the plane by the triangle's own rounding however far the
-// ray came from. Edges (1 rounding), products (1), their sum (1) and its neighbours, each at most half an ulp of the extent;
-// the last sum and the offset's own rounding (spawn_ray.glsl) at most half an ulp of the place.
-void place_by_weights(INOUT(TrianglePoint) point) {
-  precise vec3 position = point.v0 + (point.e1 * point.b1 + point.e2 * point.b2);
-  point.position = position;
-  vec3 extent = max(abs(point.e1), abs(point.e2));
-  point.position_error = HALF_ULP_OF_ONE * (2.0f * abs(point.v0) + 6.0f * extent);
+// At the exact level a point is off its plane by its rounding alone, but a ray that goes on along a neighbour meets corners that
+// are rounded in the ray's frame: by this share of the extent and no bound, but 2 million grazing rays beside edges met none.
+const float NEIGHBOUR_ROUNDINGS = 2.0f;
+
+// The point of the triangle v0 v1 v2 with these weights of its corners. Its place is summed with the largest term last: off
+// the plane by the triangle's own rounding however far the ray came from. Edges (1 rounding), products (1), their sum (1) and
+// its neighbours, each at most half an ulp of the extent; the last sum and the offset's own rounding (spawn_ray.glsl) at most
+// half an ulp of the place.
+TrianglePoint weighted_point(IN(vec3) v0, IN(vec3) v1, IN(vec3) v2, IN(uvec4) vertices, IN(vec3) weights, IN(float) t) {
+  vec3 e1 = v1 - v0;
+  vec3 e2 = v2 - v0;
+  precise vec3 position = v0 + (e1 * weights.y + e2 * weights.z);
+  vec3 extent = max(abs(e1), abs(e2));
+  vec3 position_error = HALF_ULP_OF_ONE * (2.0f * abs(v0) + 6.0f * extent);
+  return TrianglePoint(v0, e1, e2, vertices, weights.x, weights.y, weights.z, t, position, position_error);
 }
 
 // The point of the triangle v0 v1 v2 that `ray` met at `hit`.
 TrianglePoint point_on_triangle(IN(Ray) ray, IN(Hit) hit, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2, IN(uvec4) vertices) {
-  TrianglePoint point = TrianglePoint(v0, v1 - v0, v2 - v0, vertices, 1.0f - hit.b1 - hit.b2, hit.b1, hit.b2, hit.t,
-                                      vec3(0.0f), vec3(0.0f));
+  TrianglePoint point;
   if (level_at(SPOT_POSITION) == LEVEL_EXACT) {
+    point = weighted_point(v0, v1, v2, vertices, vec3(0.0f), hit.t);
     ExactCrossing crossing = exact_crossing(ray, v0, v1, v2);
     point.b0 = crossing.b0;
     point.b1 = crossing.b1;
@@ -38,9 +46,11 @@ TrianglePoint point_on_triangle(IN(Ray) ray, IN(Hit) hit, IN(vec3) v0, IN(vec3) 
     point.t = crossing.t;
     point.position = crossing.position;
     // Rounded once, and once more with the offset; 2^-20 of that is for what the wide arithmetic leaves.
-    point.position_error = (1.0f + 9.5367431640625e-7f) * HALF_ULP_OF_ONE * 2.0f * abs(crossing.position);
+    vec3 extent = max(abs(point.e1), abs(point.e2));
+    point.position_error =
+        HALF_ULP_OF_ONE * ((1.0f + 9.5367431640625e-7f) * 2.0f * abs(crossing.position) + NEIGHBOUR_ROUNDINGS * extent);
   } else {
-    place_by_weights(point);
+    point = weighted_point(v0, v1, v2, vertices, crossing_weights(ray, v0, v1, v2), hit.t);
   }
   if (level_at(SPOT_POSITION) == LEVEL_FAST) point.position = ray.origin + ray.direction * hit.t;
   return point;

@@ -114,7 +114,7 @@ void answer_refraction() {
 
 // The triangle's point of these weights: no ray decides them.
 TrianglePoint weighted_point(float b1, float b2) {
-  TrianglePoint point = triangle_point(Ray(vec3(0.0), vec3(0.0, 0.0, 1.0)), Hit(1.0, 0u, 0u, b1, b2));
+  TrianglePoint point = triangle_point(Ray(vec3(0.0), vec3(0.0, 0.0, 1.0)), Hit(1.0, 0u, 0u));
   point.b0 = 1.0 - b1 - b2;
   point.b1 = b1;
   point.b2 = b2;

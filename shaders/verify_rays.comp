@@ -18,7 +18,7 @@ layout(set = 0, binding = BINDING_QUERIES, scalar) readonly buffer Queries { Ray
 layout(set = 0, binding = BINDING_ANSWERS, scalar) writeonly buffer Answers { RayAnswer answers[]; };
 
 RayAnswer first_answer(const Found found) {
-  return RayAnswer(found.hit.triangle, found.hit.t, found.hit.b1, found.hit.b2, found.is_opaque ? 1u : 0u,
+  return RayAnswer(found.hit.triangle, found.hit.t, found.is_opaque ? 1u : 0u,
                    found.finished ? 1u : 0u, found.nodes, found.triangles, 0u, 0u, NONE, 0.0, vec3(0.0), vec3(0.0), vec3(0.0));
 }
 
@@ -26,6 +26,7 @@ RayAnswer first_answer(const Found found) {
 Search respawned_search(const RayQuery query, const Hit hit, inout RayAnswer answer) {
   TrianglePoint point = triangle_point(Ray(query.origin, query.direction), hit);
   SurfacePoint surface = surface_point(point, fetch_material(point.vertices.w), no_slot_texels(), query.direction);
+  answer.t = point.t;
   answer.position = surface.position;
   answer.normal = surface.geometric_normal;
   answer.respawned = spawn_origin(surface, query.outgoing);

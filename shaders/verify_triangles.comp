@@ -34,7 +34,7 @@ RayAnswer test_triangles(const RayQuery query) {
     hits += accepted ? 1u : 0u;
     if (accepted && (hit.t < best.t || (hit.t == best.t && hit.triangle < best.triangle))) best = hit;
   }
-  return RayAnswer(best.triangle, best.t, best.b1, best.b2, 1u, tested == count ? 1u : 0u, 0u, tested, hits, 0u, NONE, 0.0,
+  return RayAnswer(best.triangle, best.t, 1u, tested == count ? 1u : 0u, 0u, tested, hits, 0u, NONE, 0.0,
                    vec3(0.0), vec3(0.0), vec3(0.0));
 }
 
@@ -44,7 +44,7 @@ RayAnswer test_boxes(const RayQuery query) {
                                      query.t_min, query.t_max);
   uint entered = 0u;
   for (int i = 0; i < 4; i++) entered |= entries[i] == SLAB_MISS ? 0u : 1u << uint(entries[i] & 3);
-  return RayAnswer(NONE, 0.0, 0.0, 0.0, 0u, 1u, 1u, 0u, entered, 0u, NONE, 0.0, vec3(0.0), vec3(0.0), vec3(0.0));
+  return RayAnswer(NONE, 0.0, 0u, 1u, 1u, 0u, entered, 0u, NONE, 0.0, vec3(0.0), vec3(0.0), vec3(0.0));
 }
 
 void main() {

@@ -39,9 +39,7 @@ struct RayQuery {
 
 struct RayAnswer {
   uint triangle;  // of the first search; NONE: a miss
-  float t;
-  float b1;
-  float b2;
+  float t;         // of the first hit; VERIFY_RESPAWN: as it is shaded, which may be more exact than it was sought
   uint is_opaque;
   uint finished;       // all searches; 0: the answer may not be used
   uint nodes;          // visited by the first search
@@ -57,7 +55,7 @@ struct RayAnswer {
 
 #ifdef __cplusplus
 static_assert(sizeof(RayQuery) == 4 * 13);
-static_assert(sizeof(RayAnswer) == 4 * 21);
+static_assert(sizeof(RayAnswer) == 4 * 19);
 }  // namespace vernier
 #endif
 

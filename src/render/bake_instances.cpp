@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "bvh/corner_order.h"
 #include "error.h"
 #include "shared/render_constants.h"
 
@@ -70,6 +71,12 @@ void bake_vertex(const Mesh& mesh, std::size_t i, const DirectionTransform& tran
   }
 }
 
+/// The corners in the order that they are traced in, the winding kept.
+glm::uvec3 traced_order(const glm::uvec3& corner, const std::vector<glm::vec3>& positions) {
+  const int first = corner_opposite_longest_edge(positions[corner.x], positions[corner.y], positions[corner.z]);
+  return {corner[first], corner[(first + 1) % 3], corner[(first + 2) % 3]};
+}
+
 /// Appends one instance. `positions` is scratch space.
 void bake_instance(const Scene& scene, std::uint32_t instance_index, const TracedSpace& space,
                    std::vector<glm::vec3>& positions, BakedScene& baked) {
@@ -90,6 +97,7 @@ void bake_instance(const Scene& scene, std::uint32_t instance_index, const Trace
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     glm::uvec3 corner = mesh.triangles[i];
     if (mirrored) std::swap(corner.y, corner.z);
+    corner = traced_order(corner, positions);
     const auto id = static_cast<std::uint32_t>(baked.corners.size());
     baked.corners.push_back({positions[corner.x], positions[corner.y], positions[corner.z], id});
     const auto base = static_cast<std::uint32_t>(first);

@@ -40,8 +40,7 @@ RayQuery axis_ray(SampleRandom& random, const Target& target) {
 
 bool same_hit(const RayAnswer& a, const RayAnswer& b) {
   if (a.triangle != b.triangle) return false;
-  return a.triangle == NONE ||
-         (std::bit_cast<std::uint32_t>(a.t) == std::bit_cast<std::uint32_t>(b.t) && a.b1 == b.b1 && a.b2 == b.b2);
+  return a.triangle == NONE || std::bit_cast<std::uint32_t>(a.t) == std::bit_cast<std::uint32_t>(b.t);
 }
 
 /// Calls `trace(target, first, queries)` for runs of samples that go to the same target.

@@ -183,7 +183,7 @@ CaseResult run_neighbour_acne(const CaseSetup& setup) {
       setup, "neighbour_acne", VERIFY_RESPAWN, scenes_of(setup, meshes), tally,
       [&](SampleRandom& random, std::uint32_t target) {
         const VerifyMesh& mesh = meshes[target];
-        const std::uint32_t quad = random.below(kQuads);
+        const std::uint32_t quad = 1 + random.below(kQuads - 2);  // with a neighbour on both sides
         // Near the edge to the neighbour: 2^-24 to 1/2 of the quad's width from it.
         const double along = std::exp2(random.in(-24.0, -1.0)), across = random.in(0.05, 0.95);
         const bool at_start = random.below(2) == 0;

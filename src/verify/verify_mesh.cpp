@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "bvh/corner_order.h"
+
 namespace vernier {
 namespace {
 
@@ -124,8 +126,10 @@ std::vector<BvhTriangle> triangles_of(const VerifyMesh& mesh) {
   std::vector<BvhTriangle> triangles;
   triangles.reserve(mesh.triangles.size());
   for (const glm::uvec3& t : mesh.triangles) {
+    const glm::vec3 v[] = {mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]};
+    const int first = corner_opposite_longest_edge(v[0], v[1], v[2]);
     triangles.push_back(
-        {mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], static_cast<std::uint32_t>(triangles.size())});
+        {v[first], v[(first + 1) % 3], v[(first + 2) % 3], static_cast<std::uint32_t>(triangles.size())});
   }
   return triangles;
 }

@@ -14,17 +14,6 @@ struct KnownFailure {
 };
 
 inline constexpr std::array kKnownFailures = {
-    KnownFailure{"needles_robust",
-                 "is_in_front() rejects true hits of slivers: without it none of 32768 rays gets out"},
-    KnownFailure{"needles_exact", "suspected: as robust, the lower bound of t is the same"},
-    KnownFailure{"shared_vertex_robust", "one ray of 65536; suspected: as needles, not looked into"},
-    KnownFailure{"shared_vertex_exact", "as robust, not looked into"},
-    KnownFailure{"mixed_scales_robust", "suspected: the lower bound of t loses a large ground very near; not tested"},
-    KnownFailure{"mixed_scales_exact", "besides, the search answers float32's t: the exact one is taken at shading"},
-    KnownFailure{"neighbour_acne_robust", "cause unknown; suspected: errors of the neighbour's far corners"},
-    KnownFailure{"neighbour_acne_exact", "cause unknown"},
-    KnownFailure{"deep_tree_robust", "cause unknown: the search misses a tiny far triangle that brute force hits"},
-    KnownFailure{"grazing_exact", "the search answers float32's t: the exact one is taken at shading"},
     KnownFailure{"fresnel_sweep_robust", "near the critical angle of small eta; eta^2 - (1 - c)(1 + c) loses less"},
     KnownFailure{"refracted_direction_robust", "cause unknown; suspected: conditioning that the bound leaves out"},
     KnownFailure{"refracted_direction_exact", "cause unknown; the direction is worked out in float32"},

@@ -86,6 +86,9 @@ TEST(DoubleFloat, differences_of_products_have_the_right_sign) {
     const float found = signed_difference_of_products(a, b, c, d);
     ASSERT_EQ(exact > 0, found > 0) << a << " " << b << " " << c << " " << d;
     ASSERT_EQ(exact < 0, found < 0) << a << " " << b << " " << c << " " << d;
+    const float sign = sign_of_difference(a, b, c, d);
+    ASSERT_EQ(exact > 0, sign > 0) << a << " " << b << " " << c << " " << d;
+    ASSERT_EQ(exact < 0, sign < 0) << a << " " << b << " " << c << " " << d;
     close += a * b == c * d && exact != 0 ? 1 : 0;
   }
   EXPECT_GT(close, kCount / 100);  // where rounding alone would answer 0

@@ -22,7 +22,7 @@ Spot random_spot(RandomValues& random, float size, float distance) {
   float b1 = random.in(0, 1), b2 = random.in(0, 1);
   if (b1 + b2 > 1) b1 = 1 - b1, b2 = 1 - b2;
   if (random.word() % 4 == 0) b2 = 0.0f;  // on an edge
-  const TrianglePoint point = point_on_triangle(Ray(), Hit(1.0f, 0u, 0u, b1, b2), spot.v0, spot.v1, spot.v2, uvec4(0u));
+  const TrianglePoint point = weighted_point(spot.v0, spot.v1, spot.v2, uvec4(0u), vec3(1 - b1 - b2, b1, b2), 1.0f);
   const DeviceMaterial plain{};
   spot.surface = surface_point(point, plain, no_slot_texels(), random.direction());
   return spot;

@@ -92,7 +92,8 @@ TEST(BakeInstances, triangles_are_numbered_over_instances) {
   EXPECT_EQ(baked.triangle_ids, (std::vector<std::uint32_t>{0, 0, 0, 1, 1, 0, 1, 1, 2, 0, 2, 1}));
   for (std::uint32_t i = 0; i < 6; ++i) {
     EXPECT_EQ(baked.corners[i].id, i);
-    EXPECT_EQ(baked.triangles[4 * i], 4 * (i / 2));
+    // Both halves of a square meet their diagonal, the longest edge, opposite corner 1 or 3: traced from there on.
+    EXPECT_EQ(baked.triangles[4 * i], 4 * (i / 2) + (i % 2 == 0 ? 1 : 3));
     EXPECT_EQ(baked.triangles[4 * i + 3], i / 2 == 1 ? 1u : 0u);
   }
 }
