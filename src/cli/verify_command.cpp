@@ -5,6 +5,7 @@
 
 #include "cli/commands.h"
 #include "cli/output_file.h"
+#include "cli/scene_setup.h"
 #include "error.h"
 #include "image/whole_file.h"
 #include "verify/mutations.h"
@@ -22,6 +23,7 @@ struct VerifyArguments {
   std::string mutation;
   std::string json_file;
   std::string device;
+  bool with_costs = true;
 };
 
 void set_level(CaseSetup& setup, const std::string& level) {
@@ -101,7 +103,13 @@ bool run_suite(const VerifyArguments& arguments, const CaseSetup& setup, const D
     if (!reports.back().held) say(failure_text(reports.back(), setup, again));
     held = held && reports.back().held;
   }
-  write_json(arguments.json_file, verify_json(device, setup, reports));
+  std::vector<LevelCost> costs;
+  if (arguments.case_name.empty() && arguments.with_costs) {
+    const SceneSetup builtin = set_up_scene({}, 16.0 / 9.0);
+    costs = measure_level_costs(*setup.device, builtin.scene, builtin.camera, {});
+    say(level_cost_table(costs));
+  }
+  write_json(arguments.json_file, verify_json(device, setup, reports, costs));
   return held;
 }
 
@@ -157,6 +165,8 @@ void add_verify_command(CLI::App& app, Command& chosen) {
                   "seeds a known fault and shows which case catches it: a name or all (default: none)")
       ->type_name("NAME|all");
   command.add_option("--json", arguments->json_file, "writes the same as JSON (default: none)")->type_name("FILE");
+  command.add_flag("--costs,!--no-costs", arguments->with_costs,
+                   "times a picture at each level of each spot, when all cases run (default: on)");
   command.add_option("--device", arguments->device, "device by index or part of its name (default: the best)")
       ->type_name("INDEX|NAME");
   command.footer("Example: vernier verify --case shared_edge --rays 1000000");

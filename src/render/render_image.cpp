@@ -123,7 +123,7 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   Film film(device, area, wants_geometry(settings));
   statistics.device_bytes += film.size_bytes();
   if (wants_geometry(settings)) statistics.compile_ms += trace_aovs(device, gpu_scene, loads, specialization, film);
-  describe_trace(trace_film(device, gpu_scene, loads, specialization, settings, callbacks, film), statistics);
+  describe_trace(FilmTracer(device, gpu_scene, loads, specialization, settings, film).trace(callbacks), statistics);
   return read_film(device, film, settings, std::move(statistics));
 }
 

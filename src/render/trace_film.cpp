@@ -95,6 +95,19 @@ void set_dispatch(Buffer& buffer, const DispatchConstants& constants) {
   std::memcpy(buffer.mapped().data(), &constants, sizeof(constants));
 }
 
+std::uint64_t total(const RayCounts& rays) {
+  return rays.primary + rays.shadow + rays.reflection + rays.refraction;
+}
+
+RenderProgress progress_at(double share, const RayCounts& rays, double seconds) {
+  return {.share = share,
+          .rays_per_s = seconds > 0.0 ? static_cast<double>(total(rays)) / seconds : 0.0,
+          .eta_s = share > 0.0 ? seconds * (1.0 - share) / share : 0.0,
+          .rays = total(rays)};
+}
+
+}  // namespace
+
 /// Buffers and pipelines of the trace and the accumulate kernel, and what they have counted so far.
 class Tracer {
  public:
@@ -224,41 +237,34 @@ class Tracer {
   TraceStatistics statistics_;
 };
 
-std::uint64_t total(const RayCounts& rays) {
-  return rays.primary + rays.shadow + rays.reflection + rays.refraction;
-}
+FilmTracer::FilmTracer(const Device& device, const GpuScene& scene, SceneLoads loads,
+                       const TraceSpecialization& specialization, const RenderSettings& settings, Film& film)
+    : settings_(settings), tracer_(std::make_unique<Tracer>(device, scene, loads, specialization, settings, film)) {}
 
-RenderProgress progress_at(double share, const RayCounts& rays, double seconds) {
-  return {.share = share,
-          .rays_per_s = seconds > 0.0 ? static_cast<double>(total(rays)) / seconds : 0.0,
-          .eta_s = share > 0.0 ? seconds * (1.0 - share) / share : 0.0,
-          .rays = total(rays)};
-}
+FilmTracer::~FilmTracer() = default;
+FilmTracer::FilmTracer(FilmTracer&&) noexcept = default;
 
-}  // namespace
-
-TraceStatistics trace_film(const Device& device, const GpuScene& scene, SceneLoads loads,
-                           const TraceSpecialization& specialization, const RenderSettings& settings,
-                           const RenderCallbacks& callbacks, Film& film) {
-  Tracer tracer(device, scene, loads, specialization, settings, film);
+TraceStatistics FilmTracer::trace(const RenderCallbacks& callbacks) {
   const auto start = Clock::now();
   const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  const auto stop = [&] { return (callbacks.cancelled && callbacks.cancelled()) || seconds() > settings.time_limit_s; };
-  const std::vector<PixelRect> tiles = tracer.tiles();
-  const std::vector<SamplePass> passes = tracer.passes(settings);
-  const double sample_count = static_cast<double>(settings.sample_end - settings.sample_begin);
+  const auto stop = [&] {
+    return (callbacks.cancelled && callbacks.cancelled()) || seconds() > settings_.time_limit_s;
+  };
+  const std::vector<PixelRect> tiles = tracer_->tiles();
+  const std::vector<SamplePass> passes = tracer_->passes(settings_);
+  const double sample_count = static_cast<double>(settings_.sample_end - settings_.sample_begin);
   bool going = true;
   for (std::size_t p = 0; going && p < passes.size(); ++p) {
     for (std::size_t t = 0; going && t < tiles.size(); ++t) {
-      going = tracer.run_tile(tiles[t], passes[p], stop);
+      going = tracer_->run_tile(tiles[t], passes[p], stop);
       if (!callbacks.progress) continue;
       const double pass_share =
           (passes[p].end - passes[p].begin) * static_cast<double>(t + 1) / static_cast<double>(tiles.size());
-      const double done = (passes[p].begin - settings.sample_begin + pass_share) / sample_count;
-      callbacks.progress(progress_at(done, tracer.statistics().rays, seconds()));
+      const double done = (passes[p].begin - settings_.sample_begin + pass_share) / sample_count;
+      callbacks.progress(progress_at(done, tracer_->statistics().rays, seconds()));
     }
   }
-  TraceStatistics statistics = tracer.statistics();
+  TraceStatistics statistics = tracer_->statistics();
   statistics.wall_ms = seconds() * 1000.0;
   return statistics;
 }

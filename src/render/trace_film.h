@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "gpu/submission.h"
 #include "render/film.h"
@@ -20,12 +21,28 @@ struct TraceStatistics {
   std::uint64_t device_bytes = 0;  ///< of the buffers that tracing alone needs
 };
 
-/// Adds the samples of `settings` to `film`, tile by tile and pass by pass, in dispatches of about
-/// settings.dispatch_ms. Stops between dispatches when cancelled or past the time limit. Throws Error(device_lost), and
-/// Error(failed) when a single ray takes more steps than the driver lets a shader take.
-TraceStatistics trace_film(const Device& device, const GpuScene& scene, SceneLoads loads,
-                           const TraceSpecialization& specialization, const RenderSettings& settings,
-                           const RenderCallbacks& callbacks, Film& film);
+class Tracer;
+
+/// Pipelines and buffers that trace into a film, compiled once for any number of traces. Device, scene and film outlive
+/// it.
+class FilmTracer {
+ public:
+  /// Compiles the kernels for `specialization`. `settings` say which samples of which tiles.
+  FilmTracer(const Device& device, const GpuScene& scene, SceneLoads loads, const TraceSpecialization& specialization,
+             const RenderSettings& settings, Film& film);
+  ~FilmTracer();
+  FilmTracer(FilmTracer&&) noexcept;
+
+  /// Adds the samples of the settings to the film, tile by tile and pass by pass, in dispatches of about
+  /// settings.dispatch_ms. Stops between dispatches when cancelled or past the time limit. What it took adds up over
+  /// all traces, but for wall_ms, which is this one's. Throws Error(device_lost), and Error(failed) when a single ray
+  /// takes more steps than the driver lets a shader take.
+  TraceStatistics trace(const RenderCallbacks& callbacks);
+
+ private:
+  RenderSettings settings_;
+  std::unique_ptr<Tracer> tracer_;
+};
 
 /// Writes the AOVs of every pixel of `film`. Returns the pipeline's compile time in milliseconds.
 double trace_aovs(const Device& device, const GpuScene& scene, SceneLoads loads,

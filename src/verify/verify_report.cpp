@@ -82,17 +82,41 @@ std::string failure_text(const CaseReport& report, const CaseSetup& setup, const
          " --sample " + sample + arguments + "\n";
 }
 
-nlohmann::json verify_json(const DeviceReport& device, const CaseSetup& setup, std::span<const CaseReport> reports) {
+std::string level_cost_table(std::span<const LevelCost> costs) {
+  std::string table =
+      row("\n    time of the built-in scene to the level fast: median of rounds (least to most)\n    %-10s %-22s %s\n",
+          "spot", "robust", "exact");
+  const auto figures = [](const LevelCost& cost) {
+    return row("%.2f (%.2f to %.2f)", cost.ratio, cost.least, cost.most);
+  };
+  const std::size_t spots = costs.size() / 2;  // all of robust, then all of exact
+  for (std::size_t i = 0; i < spots; ++i) {
+    table += row("    %-10s %-22s %s\n", costs[i].spot.c_str(), figures(costs[i]).c_str(),
+                 figures(costs[spots + i]).c_str());
+  }
+  return table;
+}
+
+nlohmann::json verify_json(const DeviceReport& device, const CaseSetup& setup, std::span<const CaseReport> reports,
+                           std::span<const LevelCost> costs) {
   nlohmann::json cases = nlohmann::json::array();
   bool held = true;
   for (const CaseReport& report : reports) {
     cases.push_back(case_json(report));
     held = held && report.held;
   }
-  return {{"schema", 1},        {"device", device_json(device)},
-          {"seed", setup.seed}, {"level", level_name(setup.level)},
-          {"held", held},       {"samples_per_case", setup.sample_count},
-          {"cases", cases}};
+  nlohmann::json json = {{"schema", 1},        {"device", device_json(device)},
+                         {"seed", setup.seed}, {"level", level_name(setup.level)},
+                         {"held", held},       {"samples_per_case", setup.sample_count},
+                         {"cases", cases}};
+  for (const LevelCost& cost : costs) {
+    json["level_costs"].push_back({{"spot", cost.spot},
+                                   {"level", cost.level},
+                                   {"time_to_fast", cost.ratio},
+                                   {"least", cost.least},
+                                   {"most", cost.most}});
+  }
+  return json;
 }
 
 std::string mutation_line(const Mutation& mutation, std::span<const CaseReport> reports) {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gpu/describe_devices.h"
+#include "verify/level_cost.h"
 #include "verify/mutations.h"
 
 namespace vernier {
@@ -19,9 +20,13 @@ std::string case_line(const CaseReport& report);
 /// that chose device and level, "" or with a leading space.
 std::string failure_text(const CaseReport& report, const CaseSetup& setup, const std::string& arguments);
 
-/// {"schema": 1, "device": ..., "level", "seed", "samples_per_case", "held", "cases": [...]} of a run; device as in
-/// `vernier devices --json`.
-nlohmann::json verify_json(const DeviceReport& device, const CaseSetup& setup, std::span<const CaseReport> reports);
+/// What the levels cost, a line per spot.
+std::string level_cost_table(std::span<const LevelCost> costs);
+
+/// {"schema": 1, "device": ..., "level", "seed", "samples_per_case", "held", "cases": [...], "level_costs": [...]} of a
+/// run; device as in `vernier devices --json`. Without costs they are left out.
+nlohmann::json verify_json(const DeviceReport& device, const CaseSetup& setup, std::span<const CaseReport> reports,
+                           std::span<const LevelCost> costs);
 
 /// One line: fault, caught or missed, by which case after how many samples.
 std::string mutation_line(const Mutation& mutation, std::span<const CaseReport> reports);

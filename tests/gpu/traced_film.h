@@ -14,7 +14,7 @@ inline std::vector<std::uint32_t> traced_film(const Device& device, const Packed
   const TraceSpecialization specialization =
       specialize(effects, packed.bvh.depth, settings.max_bounces, false, device.description());
   Film film(device, settings.crop.value_or(PixelRect{0, 0, settings.width, settings.height}), false);
-  trace_film(device, scene, loads, specialization, settings, {}, film);
+  FilmTracer(device, scene, loads, specialization, settings, film).trace({});
   return film.read_sums(device);
 }
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gpu/device.h"
+#include "scene/scene.h"
+
+namespace vernier {
+
+/// What a level costs at one spot: the time of a picture that takes it there, against the fast level everywhere.
+struct LevelCost {
+  std::string spot;    ///< "box", "triangle", ..., or "all" for every spot
+  std::string level;   ///< "robust" or "exact"
+  double ratio = 1.0;  ///< of device times, median over the rounds
+  double least = 1.0;  ///< of the rounds
+  double most = 1.0;
+};
+
+/// The picture and the rounds that measure_level_costs takes.
+struct LevelCostSetup {
+  int width = 256;
+  int height = 144;
+  std::uint32_t spp = 2;
+  int rounds = 5;  ///< at least 1
+};
+
+/// Times `scene`, which has passed validate_scene, through `camera` at the fast level, then at robust and exact at each
+/// spot alone and at all of them; so in each round, so that a busy machine slows all of them. Pipelines are compiled
+/// once, before the clock starts. Throws Error like a render.
+std::vector<LevelCost> measure_level_costs(const Device& device, const Scene& scene, const Camera& camera,
+                                           const LevelCostSetup& setup);
+
+}  // namespace vernier
