@@ -84,12 +84,13 @@ void answer_sum() {
   WideSum start = WideSum(digits(3u), digits(5u), digits(7u));
   PixelSum sum = PixelSum(start, none, none, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
   uint count = uint(operand(2u));
-  for (uint i = 0u; i < count; i++) add_sample(sum, vec3(operand(i & 1u), 0.0, 0.0), true, i);
+  for (uint i = 0u; i < count; i++) add_sample(sum, vec3(operand(i & 1u), (i & 1u) == 1u ? operand(9u) : 0.0, 0.0), true, i);
   answer_digits(0u, sum.red.low);
   answer_digits(2u, sum.red.middle);
   answer_digits(4u, sum.red.high);
   answer(6u, float(sum.samples));
   answer(7u, float(sum.non_finite));
+  answer(8u, float(sum.first_non_finite));
 }
 
 void answer_light() {
@@ -106,10 +107,17 @@ void answer_light() {
   answer(3u, seen.irradiance.x);
 }
 
-void answer_refraction() {
-  float cosine = clamp(dot_product(operand_vector(3u), operand_vector(0u)), 0.0, 1.0);
-  Fresnel fresnel = fresnel_dielectric(cosine, operand(6u));
-  answer_vector(0u, refracted_direction(operand_vector(0u), operand_vector(3u), operand_vector(3u), operand(6u), fresnel));
+// The direction behind a plane boundary with index ratio eta, as scatter() of trace_path.glsl asks for it.
+vec3 refracted(vec3 to_viewer, vec3 normal, float eta) {
+  float cosine = clamp(dot_product(normal, to_viewer), 0.0, 1.0);
+  return refracted_direction(to_viewer, normal, normal, eta, fresnel_dielectric(cosine, eta));
+}
+
+void answer_plate() {
+  vec3 within = refracted(operand_vector(0u), operand_vector(3u), operand(6u));
+  answer_vector(0u, within);
+  // From behind, the other face has the same normal towards the viewer.
+  answer_vector(3u, refracted(-within, operand_vector(3u), 1.0 / operand(6u)));
 }
 
 // The triangle's point of these weights: no ray decides them.
@@ -138,7 +146,7 @@ void main() {
       answer_vector(0u, unit_vector(operand_vector(0u)));
       break;
     case VERIFY_REFRACTION:
-      answer_refraction();
+      answer_vector(0u, refracted(operand_vector(0u), operand_vector(3u), operand(6u)));
       break;
     case VERIFY_MIRROR:
       answer_vector(0u, mirrored_direction(operand_vector(0u), operand_vector(3u), operand_vector(6u)));
@@ -178,5 +186,8 @@ void main() {
       answer_vector(0u, interpolated_normal(point, operand_vector(11u)));
       break;
     }
+    case VERIFY_PLATE:
+      answer_plate();
+      break;
   }
 }
