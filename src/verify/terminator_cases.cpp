@@ -40,7 +40,6 @@ CaseResult run_terminator(const CaseSetup& setup) {
         const double elevation = kLeastElevation * std::pow(1.5 / kLeastElevation, random.unit());
         const glm::dvec3 along = glm::normalize(glm::cross(normal, random.direction()));
         query.outgoing = glm::vec3(along * std::cos(elevation) + normal * std::sin(elevation));
-        query.flags = RAY_ANY_HIT;
         return query;
       },
       [&](const RayQuery& query, const RayAnswer& answer, std::uint32_t) {
@@ -48,10 +47,7 @@ CaseResult run_terminator(const CaseSetup& setup) {
         const bool faces = answer.triangle != NONE &&
                            glm::dot(glm::dvec3(answer.normal), glm::dvec3(query.outgoing)) >= 0.5 * kLeastElevation;
         judged += faces ? 1 : 0;
-        tally.book(!faces || answer.next_triangle == NONE, [&] {
-          return ray_inputs(query) + " hit=" + std::to_string(answer.triangle) +
-                 " shadowed_by=" + std::to_string(answer.next_triangle) + hex_floats({{" t", answer.t}, {"next_t", answer.next_t}, {"position.z", answer.position.z}, {"normal.z", answer.normal.z}, {"respawned.z", answer.respawned.z}});
-        });
+        tally.book(!faces || answer.next_triangle == NONE, [&] { return ray_inputs(query); });
       });
   return if_judged(tally.result(), judged);
 }
