@@ -1,4 +1,4 @@
-// Functions that verify_functions.comp calls, one per pipeline, and the words of a call. Read by C++ and GLSL alike.
+// Functions that verify_boundary.comp, verify_light.comp and verify_surface.comp call, one per pipeline, and the words of a call. Read by C++ and GLSL alike.
 #ifndef VERNIER_SHARED_VERIFY_FUNCTIONS_H
 #define VERNIER_SHARED_VERIFY_FUNCTIONS_H
 
