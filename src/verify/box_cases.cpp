@@ -51,11 +51,12 @@ RayQuery onto_corner(SampleRandom& random, const glm::vec3& corner) {
 
 /// The same within one or two planes across the axes, which are planes of the box before it is padded. What stands in
 /// for 0 in a direction must be small next to the rest of it, and that is not unit: a shadow ray's is the way to its
-/// light. 2^-45 of the scene is nearer than any light.
+/// light. It is drawn down to 2^-45 of the scene's size.
 RayQuery in_corner_plane(SampleRandom& random, const glm::vec3& corner) {
   RayQuery query = onto_corner(random, corner);
   const auto axis = static_cast<int>(random.below(3));
-  for (int i = 0; i < 1 + static_cast<int>(random.below(2)); ++i) query.origin[(axis + i) % 3] = corner[(axis + i) % 3];
+  query.origin[axis] = corner[axis];
+  if (random.below(2) == 0) query.origin[(axis + 1) % 3] = corner[(axis + 1) % 3];
   query.direction = (corner - query.origin) * std::exp2(-static_cast<float>(random.below(46)));
   for (int i = 0; i < 3; ++i) {
     if (query.direction[i] == 0.0f) query.direction[i] = zero_of_any_sign(random);

@@ -41,7 +41,7 @@ std::vector<OperandName> operand_names(std::uint32_t function) {
     case VERIFY_CAMERA:
       return {{"right", 3}, {"up", 3}, {"forward", 3}, {"width", 1}, {"height", 1}, {"x", 1}, {"y", 1}};
     case VERIFY_SUM:
-      return {{"even", 1}, {"odd", 1}, {"count", 1}};
+      return {{"even", 1}, {"odd", 1}, {"count", 1}, {"start_low", 3}, {"start_high", 3}, {"odd_green", 1}};
     case VERIFY_UV:
       return {{"uv0", 2}, {"uv1", 2}, {"uv2", 2}, {"b1", 1}, {"b2", 1}};
     case VERIFY_FRAME:

@@ -30,7 +30,7 @@ std::span<const Mutation> mutations() {
        "box planes are not moved outwards by their error",
        fast_at(SPOT_BOX),
        MUTATION_NONE,
-       {"box_corner", "box_alone", "flat_boxes", "zero_component"}},
+       {"flat_boxes", "box_alone", "box_corner", "zero_component"}},
       {"zero_direction",
        "direction components of 0 become 1e-18",
        kRobust,
