@@ -21,6 +21,7 @@ WideVector wide_combination(IN(WideVector) a, IN(DoubleFloat) s, IN(WideVector) 
                     wide_sum(wide_product(a.z, s), wide_product(b.z, t)));
 }
 
+// x 2^k, exactly.
 DoubleFloat scaled(IN(DoubleFloat) x, IN(float) power_of_two) { return DoubleFloat(x.hi * power_of_two, x.lo * power_of_two); }
 
 // 2^k that brings `size` near 1, for 2^-100 <= 2^k <= 2^100.
@@ -29,6 +30,7 @@ float scale_to_one(IN(float) size) {
   return uintBitsToFloat((254u - exponent) << 23);
 }
 
+// v 2^k, exactly.
 WideVector scaled(IN(WideVector) v, IN(float) power_of_two) {
   return WideVector(scaled(v.x, power_of_two), scaled(v.y, power_of_two), scaled(v.z, power_of_two));
 }

@@ -82,15 +82,22 @@ PlaneCrossing plane_crossing(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(ve
   return PlaneCrossing(t, certain);
 }
 
+// a b - c d as a compiler that contracts makes it, fma(a, b, -(c d)): one product is rounded, the other is not, so that the
+// value of the neighbour, whose products are exchanged, is not the negation.
+float contracted_difference(IN(float) a, IN(float) b, IN(float) c, IN(float) d) {
+  DoubleFloat unrounded = two_product(a, b);
+  precise float difference = (unrounded.hi - c * d) + unrounded.lo;
+  return difference;
+}
+
 // Twice the signed areas that the ray's axis spans with the edges from p2 to p1, p0 to p2 and p1 to p0.
 vec3 edge_values(IN(vec3) p0, IN(vec3) p1, IN(vec3) p2) {
+  if (mutated(MUTATION_CONTRACTED_EDGE)) {
+    return vec3(contracted_difference(p2.x, p1.y, p2.y, p1.x), contracted_difference(p0.x, p2.y, p0.y, p2.x),
+                contracted_difference(p1.x, p0.y, p1.y, p0.x));
+  }
   // Rounding is monotone: a rounded difference of rounded products never has the wrong sign, only a false zero.
   precise vec3 edges = vec3(p2.x * p1.y - p2.y * p1.x, p0.x * p2.y - p0.y * p2.x, p1.x * p0.y - p1.y * p0.x);
-  if (mutated(MUTATION_CONTRACTED_EDGE)) {
-    DoubleFloat unrounded = two_product(p2.x, p1.y);
-    precise float contracted = (unrounded.hi - p2.y * p1.x) + unrounded.lo;
-    edges.x = contracted;
-  }
   return edges;
 }
 

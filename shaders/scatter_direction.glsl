@@ -23,10 +23,34 @@ vec3 mirrored_direction(IN(vec3) to_viewer, IN(vec3) normal, IN(vec3) geometric_
   return unit_vector(kept_on_side(direction, geometric_normal));
 }
 
+// Snell's direction with every step in numbers of twice the precision, and for vectors that are unit to a rounding alone: with
+// C = n.v / n.n and r = v.v / n.n the direction -v - n k / (c + g) becomes -v - n k r / (C + sqrt(k r + C^2)). Next to the
+// critical angle the root magnifies what a float's cosine has lost.
+vec3 exact_refracted_direction(IN(vec3) to_viewer, IN(vec3) normal, IN(float) eta) {
+  WideVector v = widened_vector(to_viewer);
+  WideVector n = widened_vector(normal);
+  DoubleFloat normal_squared = wide_dot_product(n, n);
+  DoubleFloat cosine = wide_quotient(wide_dot_product(n, v), normal_squared);
+  DoubleFloat k = wide_product(two_difference(eta, 1.0f), two_sum(eta, 1.0f));
+  DoubleFloat scaled_k = wide_product(k, wide_quotient(wide_dot_product(v, v), normal_squared));
+  DoubleFloat g_squared = wide_sum(scaled_k, wide_product(cosine, cosine));
+  // At the critical angle itself fresnel_dielectric(), which knows the rounded cosine, may see light pass.
+  DoubleFloat g = widened(0.0f);
+  if (g_squared.hi > 0.0f) g = wide_square_root(g_squared);
+  DoubleFloat bend = wide_quotient(scaled_k, wide_sum(cosine, g));
+  return -narrowed_unit_vector(WideVector(wide_sum(v.x, wide_product(n.x, bend)), wide_sum(v.y, wide_product(n.y, bend)),
+                                          wide_sum(v.z, wide_product(n.z, bend))));
+}
+
 // Snell's direction behind the surface for index ratio eta, with `fresnel` of the same: exactly -to_viewer at eta = 1.
 // (-v - n k / (c + g)) / eta, where k / (c + g) = g - c without its cancellation. Kept below the surface. Unit.
 vec3 refracted_direction(IN(vec3) to_viewer, IN(vec3) normal, IN(vec3) geometric_normal, IN(float) eta,
                          IN(Fresnel) fresnel) {
+  if (level_at(SPOT_FRESNEL) == LEVEL_EXACT) {
+    vec3 exact = exact_refracted_direction(to_viewer, normal, eta);
+    vec3 kept = kept_on_side(exact, -geometric_normal);
+    return kept == exact ? exact : unit_vector(kept);
+  }
   float cosine = dot_product(normal, to_viewer);
   precise float k = (eta - 1.0f) * (eta + 1.0f);
   vec3 direction = (-to_viewer - normal * (k / (cosine + fresnel.refracted_cosine))) / eta;

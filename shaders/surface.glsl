@@ -24,7 +24,9 @@ vec3 interpolated_normal(IN(TrianglePoint) point, IN(vec3) geometric) {
   bool flat_corner = n0 == vec3(0.0f) || n1 == vec3(0.0f) || n2 == vec3(0.0f);
   vec3 smooth_normal = unit_vector(n0 * point.b0 + n1 * point.b1 + n2 * point.b2);
   if (flat_corner || smooth_normal == vec3(0.0f)) return geometric;
-  return dot_product(smooth_normal, geometric) < 0.0f ? -smooth_normal : smooth_normal;
+  float height = dot_product(smooth_normal, geometric);
+  if (mutated(MUTATION_SIGN_IN_FRAME)) return smooth_normal * sign(height);
+  return height < 0.0f ? -smooth_normal : smooth_normal;
 }
 
 // Tangent (xyz) around `normal` and handedness (w), from the mesh or from the gradient of UV set `uv_set`; zero for none.

@@ -54,8 +54,9 @@ vec4 sample_texture(IN(uint) index, IN(vec2) place) {
   vec2 whole = floor(corner);
   vec2 part = nearest ? vec2(0.0f) : corner - whole;
   // Nearest: u = 1 of clamp, and of repeat where a tiny negative u rounds up to it, belongs to the last texel.
-  uint repeat_u = nearest && wrap_u == TEXTURE_WRAP_REPEAT ? TEXTURE_WRAP_CLAMP : wrap_u;
-  uint repeat_v = nearest && wrap_v == TEXTURE_WRAP_REPEAT ? TEXTURE_WRAP_CLAMP : wrap_v;
+  bool clamps = nearest && !mutated(MUTATION_UNCLAMPED_FRACT);
+  uint repeat_u = clamps && wrap_u == TEXTURE_WRAP_REPEAT ? TEXTURE_WRAP_CLAMP : wrap_u;
+  uint repeat_v = clamps && wrap_v == TEXTURE_WRAP_REPEAT ? TEXTURE_WRAP_CLAMP : wrap_v;
   int x0 = wrapped_index(int(whole.x), size.x, repeat_u);
   int x1 = nearest ? x0 : wrapped_index(int(whole.x) + 1, size.x, repeat_u);
   int y0 = wrapped_index(int(whole.y), size.y, repeat_v);

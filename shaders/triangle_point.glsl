@@ -45,10 +45,10 @@ TrianglePoint point_on_triangle(IN(Ray) ray, IN(Hit) hit, IN(vec3) v0, IN(vec3) 
     point.b2 = crossing.b2;
     point.t = crossing.t;
     point.position = crossing.position;
-    // Rounded once, and once more with the offset; 2^-20 of that is for what the wide arithmetic leaves.
+    // Rounded once, and once more with the offset.
+    const float roundings = 2.0000019073486328f;  // 2 + 2^-19: what the wide arithmetic leaves
     vec3 extent = max(abs(point.e1), abs(point.e2));
-    point.position_error =
-        HALF_ULP_OF_ONE * ((1.0f + 9.5367431640625e-7f) * 2.0f * abs(crossing.position) + NEIGHBOUR_ROUNDINGS * extent);
+    point.position_error = HALF_ULP_OF_ONE * (roundings * abs(crossing.position) + NEIGHBOUR_ROUNDINGS * extent);
   } else {
     point = weighted_point(v0, v1, v2, vertices, crossing_weights(ray, v0, v1, v2), hit.t);
   }

@@ -22,10 +22,10 @@
 // Faults for mutation tests; a renderer always has none. Others (a textbook formula, no padding) are a spot set to
 // LEVEL_FAST where more is expected.
 #define MUTATION_NONE 0u
-#define MUTATION_CONTRACTED_EDGE 1u    // one product of an edge value is not rounded, as by an fma
+#define MUTATION_CONTRACTED_EDGE 1u    // one product of each edge value is not rounded, as by an fma
 #define MUTATION_ZERO_DIRECTION 2u     // components of 0 replaced by 1e-18 without their sign
 #define MUTATION_NO_LOWER_BOUND 3u     // hits with t > 0 are taken, whatever the error of t
-#define MUTATION_SIGN_IN_FRAME 4u      // sign(), which is 0 at 0, chooses a tangent frame's handedness
+#define MUTATION_SIGN_IN_FRAME 4u      // sign(), which is 0 at 0, chooses the side of a shading normal
 #define MUTATION_UNCLAMPED_FRACT 5u    // x - floor(x), which is 1 for -1e-10, addresses a texture
 #define MUTATION_SHORT_STACK 6u        // a traversal stack of 2 entries
 #define MUTATION_NARROW_SUM 7u         // the carry into the film's high word is lost

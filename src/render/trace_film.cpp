@@ -18,8 +18,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// A GPU wants more lanes at once; the samples of a CPU's tile should stay in its caches.
-constexpr int kCpuTile = 256;
-constexpr int kGpuTile = 256;
+constexpr int kTile = 256;
 constexpr int kBlock = JOB_BLOCK_SIDE;
 /// Samples of a pass of a tile wait in a buffer of at most that size.
 constexpr std::uint64_t kSampleBytes = 64u << 20;
@@ -48,7 +47,7 @@ std::uint64_t bytes_per_sample(const TraceSpecialization& specialization) {
 /// What the settings ask for, but no larger than the image, and small enough for one sample of each of its pixels.
 glm::ivec2 chosen_tile(const DeviceDescription& device, const RenderSettings& settings, const PixelRect& area,
                        std::uint64_t sample_bytes) {
-  glm::ivec2 tile = settings.tile.x > 0 ? settings.tile : glm::ivec2(device.is_cpu ? kCpuTile : kGpuTile);
+  glm::ivec2 tile = settings.tile.x > 0 ? settings.tile : glm::ivec2(kTile);
   tile = glm::min(tile, glm::ivec2(area.width, area.height));
   while (jobs_per_sample(tile) * sample_bytes > kSampleBytes) (tile.x > tile.y ? tile.x : tile.y) /= 2;
   return tile;
@@ -289,7 +288,7 @@ double trace_aovs(const Device& device, const GpuScene& scene, SceneLoads loads,
     }
     const BindingSet set(device, pipeline, bindings);
     const PixelRect rows{film.area().x, film.area().y + band.first_row, film.area().width, band.row_count};
-    for (const PixelRect& tile : schedule_tiles(rows, glm::ivec2(kGpuTile), rows.height)) {
+    for (const PixelRect& tile : schedule_tiles(rows, glm::ivec2(kTile), rows.height)) {
       set_dispatch(dispatch_values, tile_constants(scene, tile, film.area(), band));
       const Dispatch dispatch = tile_dispatch(pipeline, set, tile);
       submitter.run(std::span(&dispatch, 1));

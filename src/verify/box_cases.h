@@ -14,7 +14,7 @@ CaseResult run_tiny_components(const CaseSetup& setup);
 CaseResult run_flat_boxes(const CaseSetup& setup);
 /// 23: rays at vertices, which are corners and edges of leaf boxes.
 CaseResult run_box_corner(const CaseSetup& setup);
-/// 23: the box test alone: the four children of one node.
+/// 23: the box test alone: the four children of one node. Half of the rays lie in planes of the boxes and are short.
 CaseResult run_box_alone(const CaseSetup& setup);
 /// 26: rays with NaN, infinity or a zero direction: a miss, at no cost.
 CaseResult run_invalid_rays(const CaseSetup& setup);

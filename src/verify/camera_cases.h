@@ -9,7 +9,7 @@ namespace vernier {
 CaseResult run_camera_edges(const CaseSetup& setup);
 
 inline constexpr VerifyCase kCameraCases[] = {
-    {53, "camera_edges", "ray directions for extreme fields of view", "double", run_camera_edges},
+    {53, "camera_edges", "ray directions for extreme fields of view", "long double", run_camera_edges},
 };
 
 }  // namespace vernier

@@ -11,27 +11,21 @@ CaseResult run_fresnel_sweep(const CaseSetup& setup);
 CaseResult run_fresnel_energy(const CaseSetup& setup);
 /// Power reflected for |eta - 1| = 0 and 2^-23 to 1e-2. At eta = 1 exactly nothing, else within 2e-5 or 1e-7.
 CaseResult run_fresnel_near_one(const CaseSetup& setup);
-/// Total reflection is decided as in exact arithmetic; at robust only where g^2 is above its rounding, 4 half ulps
-/// of 1.
+/// Power reflected at the critical angle's cosine times 1 +- 2^-1 to 2^-30, where it moves with the root of the
+/// distance: the same bounds, for g^2 comes from exact squares.
+CaseResult run_fresnel_critical(const CaseSetup& setup);
+/// Total reflection is decided as in exact arithmetic: g^2 of floats has the right sign at both levels.
 CaseResult run_critical_angle(const CaseSetup& setup);
 /// Transmitted power at cosines 2^-1 to 2^-26, in ulps: 16 at robust, 1 at exact (wide arithmetic, rounded at the end).
 CaseResult run_grazing_glass(const CaseSetup& setup);
-/// Refracted direction against Snell's law in long double: 8 half ulps of 1 at robust (roundings of k, g, two products,
-/// sum, quotient and the final unit vector's three), 4 at exact. Grazing exits, where sin^2 is near 1, are left out:
-/// there the input's own rounding is magnified by 1 / cos(theta_t).
-CaseResult run_refracted_direction(const CaseSetup& setup);
-/// At eta = 1 the refracted direction is the incoming one, within 2 half ulps per component for the unit vector's last
-/// step.
-CaseResult run_pass_through(const CaseSetup& setup);
 
 inline constexpr VerifyCase kFresnelCases[] = {
     {35, "fresnel_sweep", "reflected power within the level's bound", "long double", run_fresnel_sweep},
     {35, "fresnel_energy", "reflected and transmitted power make 1", "conservation", run_fresnel_energy},
     {36, "fresnel_near_one", "reflected power where the indices nearly agree", "long double", run_fresnel_near_one},
-    {36, "pass_through", "equal indices bend nothing", "analytic", run_pass_through},
+    {37, "fresnel_critical", "reflected power next to the critical angle", "long double", run_fresnel_critical},
     {37, "critical_angle", "total reflection decided as in exact arithmetic", "long double", run_critical_angle},
     {38, "grazing_glass", "transmitted power at grazing incidence", "long double", run_grazing_glass},
-    {42, "refracted_direction", "refracted direction follows Snell's law", "long double", run_refracted_direction},
 };
 
 }  // namespace vernier

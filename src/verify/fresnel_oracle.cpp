@@ -25,4 +25,21 @@ ExactFresnel exact_fresnel(float cosine, float eta) {
   return {false, (s * s + p * p) / 2.0L, beam * (ts * ts + tp * tp) / 2.0L};
 }
 
+ExactRefraction exact_refraction(const glm::vec<3, long double>& to_viewer, const glm::vec<3, long double>& normal,
+                                 long double eta) {
+  const glm::vec<3, long double> v = glm::normalize(to_viewer), n = glm::normalize(normal);
+  const long double cosine = glm::dot(v, n);
+  const glm::vec<3, long double> along = (n * cosine - v) / eta;
+  const long double sine_squared = glm::dot(along, along);
+  if (sine_squared >= 1.0L) return {true};
+  const long double refracted_cosine = std::sqrt(1.0L - sine_squared);
+  return {false, along - n * refracted_cosine, cosine, refracted_cosine};
+}
+
+long double refraction_condition(const ExactRefraction& refraction, long double eta) {
+  const long double g = eta * refraction.refracted_cosine;
+  const long double sine = std::sqrt(1.0L - refraction.refracted_cosine * refraction.refracted_cosine);
+  return sine * std::abs(refraction.cosine - g) / (g * eta);
+}
+
 }  // namespace vernier

@@ -4,9 +4,33 @@
 #include "gpu/compute_pipeline.h"
 #include "gpu/submission.h"
 #include "shared/specialization_ids.h"
-#include "spirv/verify_functions.h"
+#include "spirv/verify_boundary.h"
+#include "spirv/verify_light.h"
+#include "spirv/verify_surface.h"
 
 namespace vernier {
+namespace {
+
+/// The kernel that calls the function. Several small ones: SwiftShader takes five seconds to compile all in one.
+std::span<const std::uint32_t> module_of(std::uint32_t function) {
+  switch (function) {
+    case VERIFY_FRESNEL:
+    case VERIFY_REFRACTION:
+    case VERIFY_MIRROR:
+    case VERIFY_SCHLICK:
+    case VERIFY_PLATE:
+      return kVerifyBoundarySpirv;
+    case VERIFY_HIGHLIGHT:
+    case VERIFY_LOG_ONE_MINUS:
+    case VERIFY_LIGHT:
+    case VERIFY_SUM:
+      return kVerifyLightSpirv;
+    default:
+      return kVerifySurfaceSpirv;
+  }
+}
+
+}  // namespace
 
 std::vector<FunctionAnswers> call_shader_function(const CaseSetup& setup, std::uint32_t function,
                                                   std::span<const FunctionOperands> operands) {
@@ -20,7 +44,7 @@ std::vector<FunctionAnswers> call_shader_function(const CaseSetup& setup, std::u
   const std::array<SpecializationValue, 3> values{SpecializationValue{SPECIALIZATION_LEVELS, setup.levels},
                                                   SpecializationValue{SPECIALIZATION_MUTATION, setup.mutation},
                                                   SpecializationValue{SPECIALIZATION_FUNCTION, function}};
-  const ComputePipeline pipeline(device, kVerifyFunctionsSpirv, bindings, 0, values);
+  const ComputePipeline pipeline(device, module_of(function), bindings, 0, values);
   const BindingSet set(device, pipeline, bindings);
   constexpr std::uint32_t kWorkgroup = 64;
   const auto groups = static_cast<std::uint32_t>((operands.size() + kWorkgroup - 1) / kWorkgroup);

@@ -92,8 +92,10 @@ std::vector<LevelCost> measure_level_costs(const Device& device, const Scene& sc
   }
   std::vector<std::vector<double>> ratios(candidates.size());
   for (int round = 0; round < setup.rounds; ++round) {
-    const double fast_ms = candidates.front()->trace_ms();
-    for (std::size_t i = 1; i < candidates.size(); ++i) ratios[i].push_back(candidates[i]->trace_ms() / fast_ms);
+    for (std::size_t i = 1; i < candidates.size(); ++i) {
+      const double fast_ms = candidates.front()->trace_ms();
+      ratios[i].push_back(candidates[i]->trace_ms() / fast_ms);
+    }
   }
   std::vector<LevelCost> costs;
   for (std::size_t i = 1; i < candidates.size(); ++i) {

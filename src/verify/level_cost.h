@@ -19,15 +19,15 @@ struct LevelCost {
 
 /// The picture and the rounds that measure_level_costs takes.
 struct LevelCostSetup {
-  int width = 256;
-  int height = 144;
+  int width = 384;
+  int height = 216;
   std::uint32_t spp = 2;
-  int rounds = 5;  ///< at least 1
+  int rounds = 7;  ///< at least 1
 };
 
-/// Times `scene`, which has passed validate_scene, through `camera` at the fast level, then at robust and exact at each
-/// spot alone and at all of them; so in each round, so that a busy machine slows all of them. Pipelines are compiled
-/// once, before the clock starts. Throws Error like a render.
+/// Times `scene`, which has passed validate_scene, through `camera` at robust and exact, at each spot alone and at all
+/// of them, each time right after the fast level: a busy machine slows both. Pipelines are compiled once, before the
+/// clock starts. Throws Error like a render.
 std::vector<LevelCost> measure_level_costs(const Device& device, const Scene& scene, const Camera& camera,
                                            const LevelCostSetup& setup);
 

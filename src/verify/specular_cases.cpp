@@ -3,34 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "verify/function_kernel.h"
-#include "verify/level_bound.h"
-#include "verify/random.h"
-#include "verify/tally.h"
+#include "verify/function_suite.h"
+#include "verify/highlight_oracle.h"
 
 namespace vernier {
 namespace {
 
-using WideVector = glm::vec<3, long double>;
-
-constexpr double kRobust = 1e-6, kExact = 1e-7;  // numerics.md 5.3, absolute
-
-std::string named(const FunctionOperands& o) {
-  return hex_floats({{"normal.x", o[0]},
-                     {"normal.y", o[1]},
-                     {"normal.z", o[2]},
-                     {"light.x", o[3]},
-                     {"light.y", o[4]},
-                     {"light.z", o[5]},
-                     {"viewer.x", o[6]},
-                     {"viewer.y", o[7]},
-                     {"viewer.z", o[8]},
-                     {"exponent", o[9]}});
-}
-
-void put(FunctionOperands& o, std::size_t first, const glm::dvec3& v) {
-  for (std::size_t axis = 0; axis < 3; ++axis) o[first + axis] = static_cast<float>(v[static_cast<int>(axis)]);
-}
+constexpr ErrorTarget kHighlight{"absolute", 1e-6, 1e-7};  // numerics.md 5.3
 
 /// Normal, light and viewer with the half vector at `angle` from the normal.
 FunctionOperands highlight(SampleRandom& random, double angle, float exponent) {
@@ -46,16 +25,11 @@ FunctionOperands highlight(SampleRandom& random, double angle, float exponent) {
   return o;
 }
 
-/// The definition on the operands: cos^e by the logarithm of a cosine taken from the sine where it is
-/// near 1, so that the oracle has no cancellation of its own.
-long double exact_highlight(const FunctionOperands& o) {
-  const WideVector n = glm::normalize(WideVector(o[0], o[1], o[2]));
-  // L and V are unit to a rounding each, and the half vector is that of the two as they are: scaled to unit length
-  // first, it would turn by that rounding, which the exponent 1e7 magnifies to 1e-4.
-  const WideVector h = glm::normalize(WideVector(o[3], o[4], o[5]) + WideVector(o[6], o[7], o[8]));
-  if (glm::dot(n, h) <= 0.0L) return 0.0L;
-  const WideVector sine = glm::cross(n, h);
-  return std::exp(0.5L * o[9] * std::log1p(-glm::dot(sine, sine)));
+/// cos^e = exp(-e angle^2 / 2) falls from 1 to 1e-4 over the angles that are drawn.
+FunctionOperands visible_highlight(SampleRandom& random, std::uint64_t) {
+  const double exponent = random.power_of_ten(0.0, 7.0);
+  const double angle = std::min(random.unit() * std::sqrt(18.0 / exponent), 1.5);
+  return highlight(random, angle, static_cast<float>(exponent));
 }
 
 bool in_unit(float x) {
@@ -65,119 +39,94 @@ bool in_unit(float x) {
 }  // namespace
 
 CaseResult run_extreme_exponent(const CaseSetup& setup) {
-  std::vector<FunctionOperands> operands(setup.sample_count);
-  for (std::uint64_t i = 0; i < setup.sample_count; ++i) {
-    SampleRandom random(setup.seed, "extreme_exponent", i);
-    const double exponent = random.power_of_ten(0.0, 7.0);
-    // cos^e = exp(-e angle^2 / 2) falls from 1 to 1e-4 over this range.
-    const double angle = std::min(random.unit() * std::sqrt(18.0 / exponent), 1.5);
-    operands[i] = highlight(random, angle, static_cast<float>(exponent));
-  }
-  const auto answers = call_shader_function(setup, VERIFY_HIGHLIGHT, operands);
-  Tally tally("absolute", level_bound(setup, kRobust, kExact));
-  for (std::size_t i = 0; i < operands.size(); ++i) {
-    const double error = std::abs(static_cast<double>(answers[i][0] - exact_highlight(operands[i])));
-    tally.book_error(error, [&] { return named(operands[i]); });
-  }
-  return tally.result();
+  return measured_calls(setup, "extreme_exponent", VERIFY_HIGHLIGHT, kHighlight, visible_highlight,
+                        [](const FunctionOperands& o, const FunctionAnswers& a) {
+                          const long double exact =
+                              exact_highlight(wide_vector(o, 0), wide_vector(o, 3), wide_vector(o, 6), o[9]);
+                          return std::abs(static_cast<double>(a[0] - exact));
+                        });
 }
 
 CaseResult run_highlight_limits(const CaseSetup& setup) {
   constexpr float kExponents[] = {0.0f, 1e-6f, 1.0f, 1e7f, 1e30f};
   // Half vector z; normals on it, across it (N.H = 0 and -0) and against it.
   constexpr float kNormals[][3] = {{0, 0, 1}, {1, 0, 0}, {1, 0, -0.0f}, {0, 0, -1}, {0.6f, 0, 0.8f}};
-  std::vector<FunctionOperands> operands;
-  for (const float exponent : kExponents) {
-    for (const auto& normal : kNormals) {
-      operands.push_back({normal[0], normal[1], normal[2], 0, 0.6f, 0.8f, 0, -0.6f, 0.8f, exponent});
-    }
-  }
-  const auto answers = call_shader_function(setup, VERIFY_HIGHLIGHT, operands);
-  Tally tally;
-  for (std::size_t i = 0; i < operands.size(); ++i) {
-    const FunctionOperands& o = operands[i];
-    const float got = answers[i][0];
-    bool held = in_unit(got);
-    if (o[2] <= 0.0f) held = held && got == 0.0f;
-    if (o[2] > 0.0f && o[9] == 0.0f) held = held && got == 1.0f;
-    if (o[2] == 1.0f) held = held && got >= 1.0f - 0x1p-20f;  // N = H to the last place: only exp2's own rounding
-    tally.book(held || setup.level == Accuracy::fast, [&] { return named(o); });
-  }
-  return tally.result();
+  return judged_calls(
+      setup, "highlight_limits", VERIFY_HIGHLIGHT,
+      [&](SampleRandom&, std::uint64_t i) {
+        const auto& normal = kNormals[i % std::size(kNormals)];
+        const float exponent = kExponents[i / std::size(kNormals) % std::size(kExponents)];
+        return FunctionOperands{normal[0], normal[1], normal[2], 0, 0.6f, 0.8f, 0, -0.6f, 0.8f, exponent};
+      },
+      [](const FunctionOperands& o, const FunctionAnswers& a) {
+        bool held = in_unit(a[0]);
+        if (o[2] <= 0.0f) held = held && a[0] == 0.0f;
+        if (o[2] > 0.0f && o[9] == 0.0f) held = held && a[0] == 1.0f;
+        if (o[2] == 1.0f) held = held && a[0] >= 1.0f - 0x1p-20f;  // N = H to the last place: only exp2's own rounding
+        return held;
+      });
 }
 
 CaseResult run_highlight_monotone(const CaseSetup& setup) {
-  std::vector<FunctionOperands> operands(setup.sample_count / 2 * 2);
-  for (std::uint64_t i = 0; i < operands.size(); i += 2) {
-    SampleRandom random(setup.seed, "highlight_monotone", i);
-    const double exponent = random.power_of_ten(0.0, 7.0);
-    const double angle = std::min(random.unit() * std::sqrt(18.0 / exponent), 1.5);
-    operands[i] = operands[i + 1] = highlight(random, angle, static_cast<float>(exponent));
-    operands[i + 1][9] = static_cast<float>(exponent * (1.0 + random.power_of_ten(-6.0, 0.0)));
-  }
-  const auto answers = call_shader_function(setup, VERIFY_HIGHLIGHT, operands);
-  Tally tally("absolute", level_bound(setup, kRobust, kExact));
-  for (std::size_t i = 0; i < operands.size(); i += 2) {
-    const double rise = static_cast<double>(answers[i + 1][0]) - static_cast<double>(answers[i][0]);
-    tally.book_error(std::isfinite(rise) ? std::max(rise, 0.0) : rise, [&] { return named(operands[i + 1]); });
-  }
-  return tally.result();
+  // Samples come in pairs, the second with a larger exponent: what it adds to the first is the error.
+  float before = 0.0f;
+  bool second = false;
+  return measured_calls(
+      setup, "highlight_monotone", VERIFY_HIGHLIGHT, kHighlight,
+      [&](SampleRandom&, std::uint64_t i) {
+        SampleRandom of_pair(setup.seed, "highlight_monotone", i / 2);
+        FunctionOperands o = visible_highlight(of_pair, i);
+        if (i % 2 == 1) o[9] = static_cast<float>(o[9] * (1.0 + of_pair.power_of_ten(-6.0, 0.0)));
+        return o;
+      },
+      [&](const FunctionOperands&, const FunctionAnswers& a) {
+        const double rise = second ? static_cast<double>(a[0]) - static_cast<double>(before) : 0.0;
+        before = a[0];
+        second = !second;
+        return std::isfinite(rise) ? std::max(rise, 0.0) : rise;
+      });
 }
 
 CaseResult run_zero_half_vector(const CaseSetup& setup) {
-  std::vector<FunctionOperands> operands(setup.sample_count);
-  for (std::uint64_t i = 0; i < setup.sample_count; ++i) {
-    SampleRandom random(setup.seed, "zero_half_vector", i);
-    const glm::dvec3 light = random.direction();
-    const double apart = i % 2 == 0 ? 0.0 : random.power_of_ten(-9.0, -7.0);
-    FunctionOperands& o = operands[i];
-    put(o, 0, random.direction());
-    put(o, 3, light);
-    put(o, 6, -light + random.direction() * apart);
-    if (i % 2 == 0) put(o, 6, -glm::dvec3(o[3], o[4], o[5]));
-    o[9] = static_cast<float>(random.power_of_ten(-6.0, 7.0));
-  }
-  const auto answers = call_shader_function(setup, VERIFY_HIGHLIGHT, operands);
-  Tally tally;
-  for (std::size_t i = 0; i < operands.size(); ++i) {
-    const bool held = in_unit(answers[i][0]) && (i % 2 == 1 || answers[i][0] == 0.0f);
-    tally.book(held || setup.level == Accuracy::fast, [&] { return named(operands[i]); });
-  }
-  return tally.result();
+  return judged_calls(
+      setup, "zero_half_vector", VERIFY_HIGHLIGHT,
+      [](SampleRandom& random, std::uint64_t i) {
+        const glm::dvec3 light = random.direction();
+        FunctionOperands o{};
+        put(o, 0, random.direction());
+        put(o, 3, light);
+        put(o, 6, -light + random.direction() * random.power_of_ten(-9.0, -7.0));
+        if (i % 2 == 0) put(o, 6, -glm::dvec3(o[3], o[4], o[5]));
+        o[9] = static_cast<float>(random.power_of_ten(-6.0, 7.0));
+        return o;
+      },
+      [](const FunctionOperands& o, const FunctionAnswers& a) {
+        const bool vanishes = wide_vector(o, 3) + wide_vector(o, 6) == WideVector(0.0L);
+        return in_unit(a[0]) && (!vanishes || a[0] == 0.0f);
+      });
 }
 
 CaseResult run_log_one_minus(const CaseSetup& setup) {
-  constexpr double kBound = 8.0;  // docstring
-  std::vector<FunctionOperands> operands(setup.sample_count);
-  for (std::uint64_t i = 0; i < setup.sample_count; ++i) {
-    SampleRandom random(setup.seed, "log_one_minus", i);
-    operands[i][0] = static_cast<float>(i % 2 == 0 ? random.power_of_ten(-36.0, -0.7) : random.in(0.0, 0.249));
-  }
-  const auto answers = call_shader_function(setup, VERIFY_LOG_ONE_MINUS, operands);
-  Tally tally("ulp", level_bound(setup, kBound, kBound));
-  for (std::size_t i = 0; i < operands.size(); ++i) {
-    const float s = operands[i][0];
-    const auto exact = static_cast<double>(std::log1p(-static_cast<long double>(s)));
-    tally.book_error(ulps_from(answers[i][0], exact), [&] { return hex_floats({{"s", s}}); });
-  }
-  return tally.result();
+  return measured_calls(
+      setup, "log_one_minus", VERIFY_LOG_ONE_MINUS, {"ulp", 8.0, 8.0},
+      [](SampleRandom& random, std::uint64_t i) {
+        return FunctionOperands{
+            static_cast<float>(i % 2 == 0 ? random.power_of_ten(-36.0, -0.7) : random.in(0.0, 0.249))};
+      },
+      [](const FunctionOperands& o, const FunctionAnswers& a) {
+        return ulps_from(a[0], static_cast<double>(std::log1p(-static_cast<long double>(o[0]))));
+      });
 }
 
 CaseResult run_schlick_weight(const CaseSetup& setup) {
-  constexpr double kBound = 9.0;  // docstring
-  std::vector<FunctionOperands> operands(setup.sample_count);
-  for (std::uint64_t i = 0; i < setup.sample_count; ++i) {
-    SampleRandom random(setup.seed, "schlick_weight", i);
-    operands[i][0] = static_cast<float>(i % 2 == 0 ? random.unit() : random.power_of_ten(-8.0, 0.0));
-  }
-  const auto answers = call_shader_function(setup, VERIFY_SCHLICK, operands);
-  Tally tally("ulp", level_bound(setup, kBound, kBound));
-  for (std::size_t i = 0; i < operands.size(); ++i) {
-    const float cosine = operands[i][0];
-    const auto exact = static_cast<double>(std::pow(1.0L - cosine, 5.0L));
-    tally.book_error(ulps_from(answers[i][0], exact), [&] { return hex_floats({{"cosine", cosine}}); });
-  }
-  return tally.result();
+  return measured_calls(
+      setup, "schlick_weight", VERIFY_SCHLICK, {"ulp", 9.0, 9.0},
+      [](SampleRandom& random, std::uint64_t i) {
+        return FunctionOperands{static_cast<float>(i % 2 == 0 ? random.unit() : random.power_of_ten(-8.0, 0.0))};
+      },
+      [](const FunctionOperands& o, const FunctionAnswers& a) {
+        return ulps_from(a[0], static_cast<double>(std::pow(1.0L - o[0], 5.0L)));
+      });
 }
 
 }  // namespace vernier

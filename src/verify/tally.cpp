@@ -29,12 +29,12 @@ double ulps_from(float answer, double expected) {
   return std::abs(static_cast<double>(answer) - expected) / std::ldexp(1.0, exponent);
 }
 
-std::string hex_floats(const std::vector<std::pair<const char*, float>>& values) {
+std::string hex_floats(const std::vector<std::pair<std::string, float>>& values) {
   std::string text;
   for (const auto& [name, value] : values) {
     char number[64];
     std::snprintf(number, sizeof number, "%a", static_cast<double>(value));
-    text += (text.empty() ? "" : " ") + std::string(name) + "=" + number;
+    text += (text.empty() ? "" : " ") + name + "=" + number;
   }
   return text;
 }

@@ -14,7 +14,7 @@ namespace vernier {
 double ulps_from(float answer, double expected);
 
 /// Values with their names as hex floats: "ray.direction.x=0x1.8p-3 ...".
-std::string hex_floats(const std::vector<std::pair<const char*, float>>& values);
+std::string hex_floats(const std::vector<std::pair<std::string, float>>& values);
 
 /// Counts samples, failures and errors of a case. Sample numbers rise.
 class Tally {

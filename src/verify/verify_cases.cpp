@@ -8,9 +8,11 @@
 #include "verify/fresnel_cases.h"
 #include "verify/hit_cases.h"
 #include "verify/light_cases.h"
+#include "verify/refraction_cases.h"
 #include "verify/spawn_cases.h"
 #include "verify/specular_cases.h"
 #include "verify/sum_cases.h"
+#include "verify/terminator_cases.h"
 #include "verify/texture_cases.h"
 #include "verify/vector_cases.h"
 #include "verify/verify_case.h"
@@ -66,12 +68,14 @@ std::vector<VerifyCase> joined_cases() {
   std::vector<VerifyCase> cases(kGeometryCases.begin(), kGeometryCases.end());
   const auto append = [&](std::span<const VerifyCase> more) { cases.insert(cases.end(), more.begin(), more.end()); };
   append(kFresnelCases);
+  append(kRefractionCases);
   append(kSpecularCases);
   append(kVectorCases);
   append(kTextureCases);
   append(kSumCases);
   append(kLightCases);
   append(kCameraCases);
+  append(kTerminatorCases);
   std::ranges::stable_sort(cases, {}, &VerifyCase::number);
   return cases;
 }

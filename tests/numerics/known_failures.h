@@ -13,20 +13,14 @@ struct KnownFailure {
   std::string_view reason;
 };
 
-inline constexpr std::array kKnownFailures = {
-    KnownFailure{"fresnel_sweep_robust", "near the critical angle of small eta; eta^2 - (1 - c)(1 + c) loses less"},
-    KnownFailure{"refracted_direction_robust", "cause unknown; suspected: conditioning that the bound leaves out"},
-    KnownFailure{"refracted_direction_exact", "cause unknown; the direction is worked out in float32"},
-    KnownFailure{"camera_edges_robust",
-                 "cause unknown; suspected: 2 x / width - 1 in the middle of wide fields of view"},
-    KnownFailure{"camera_edges_exact", "as robust: the camera has no levels"},
-};
+inline constexpr std::array<KnownFailure, 0> kKnownFailures = {};
 
 /// The same on SwiftShader alone.
 inline constexpr std::array kKnownSwiftShaderFailures = {
-    KnownFailure{"tiny_mesh_robust", "cause unknown: axis-parallel rays leave a sphere of 1e-12"},
-    KnownFailure{"unit_vectors_robust", "cause unknown; suspected: denormals that are flushed"},
-    KnownFailure{"unit_vectors_exact", "as robust"},
+    KnownFailure{
+        "tiny_mesh_robust",
+        "one ray of 65536 out of a sphere of 1e-12; suspected: the side of a plane is a product of three lengths, "
+        "below 2^-126 there, and denormals are flushed. Products of weights and depths, tried before, had none"},
 };
 
 /// Whether `name` is listed for the driver that the test runs on.

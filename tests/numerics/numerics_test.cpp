@@ -1,7 +1,7 @@
-// The numeric suite on two drivers, every case at the levels that promise something.
+// The numeric suite on two drivers: every case at the levels that promise something, and every seeded fault.
 #include "gpu/device_test.h"
 #include "numerics/known_failures.h"
-#include "verify/run_cases.h"
+#include "verify/mutations.h"
 
 namespace vernier {
 namespace {
@@ -44,6 +44,25 @@ TEST_P(NumericsTest, meets_its_target) {
 
 INSTANTIATE_TEST_SUITE_P(Catalogue, NumericsTest, testing::ValuesIn(all_cases()),
                          [](const testing::TestParamInfo<CaseAtLevel>& one) { return name_of(one.param); });
+
+class MutationTest : public DeviceTest, public testing::WithParamInterface<Mutation> {};
+
+TEST_P(MutationTest, is_caught) {
+  CaseSetup setup;
+  setup.device = &device();
+  setup.sample_count = 1u << 14;
+  bool caught = false;
+  // One witness is enough here; `vernier verify --mutate all` asks them all.
+  for (const char* name : GetParam().cases) {
+    Mutation with_witness = GetParam();
+    with_witness.cases = {name};
+    caught = caught || is_caught(run_mutation(with_witness, setup));
+  }
+  EXPECT_TRUE(caught) << GetParam().what;
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeded, MutationTest, testing::ValuesIn(mutations().begin(), mutations().end()),
+                         [](const testing::TestParamInfo<Mutation>& one) { return std::string(one.param.name); });
 
 }  // namespace
 }  // namespace vernier

@@ -29,6 +29,19 @@ TEST(Camera, perspective_rays_leave_one_point) {
   EXPECT_LT(glm::distance(camera_ray(vec2(150, 50)).direction, glm::normalize(vec3(1, 0, -1))), 2e-7f);
 }
 
+TEST(Camera, the_middle_of_a_wide_field_keeps_its_digits) {
+  // 179.99 degrees, tan = 11459: a step of 2^-24 at the middle of the image would turn the ray by 7e-4.
+  Memory scene = wide_camera(false);
+  scene.render.camera_right = vec3(11459, 0, 0);
+  scene.render.camera_up = vec3(0, 11459, 0);
+  scene.render.image_width = 3000;
+  scene.render.image_height = 3000;
+  const BoundMemory bound(scene);
+  const float x = 1500.0f + 0x1p-13f;  // the step of floats there
+  const vec3 exact = glm::normalize(glm::dvec3(11459 * (2 * double(x) - 3000) / 3000, 0, -1));
+  EXPECT_LT(glm::distance(camera_ray(vec2(x, 1500)).direction, exact), 2e-7f);
+}
+
 TEST(Camera, orthographic_rays_are_parallel) {
   Memory scene = wide_camera(true);
   const BoundMemory bound(scene);

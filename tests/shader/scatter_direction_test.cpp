@@ -48,6 +48,24 @@ TEST(ScatterDirection, refracted_by_snell) {
   }
 }
 
+TEST(ScatterDirection, exact_refraction_is_rounded_once) {
+  LEVELS = LEVELS_OF(LEVEL_EXACT);
+  RandomValues random(18);
+  for (int i = 0; i < 20000; ++i) {
+    const vec3 normal = unit_vector(random.direction());
+    const vec3 viewer = above(random, normal);
+    const float eta = i % 2 == 0 ? random.in(1, 3) : 1.0f / random.in(1, 3);
+    const glm::dvec3 n = glm::normalize(glm::dvec3(normal)), v = glm::normalize(glm::dvec3(viewer));
+    const double cosine = glm::dot(v, n), behind_squared = 1 - (1 - cosine * cosine) / (double(eta) * eta);
+    if (behind_squared < 1e-3) continue;  // where double itself runs out of digits
+    const vec3 refracted = refracted_direction(viewer, normal, normal, eta, fresnel_dielectric(float(cosine), eta));
+    const glm::dvec3 exact = (n * cosine - v) / double(eta) - n * std::sqrt(behind_squared);
+    // Half an ulp of numbers below 1.
+    for (int axis = 0; axis < 3; ++axis) ASSERT_NEAR(refracted[axis], exact[axis], 0x1p-25 * 1.001) << eta;
+  }
+  LEVELS = LEVELS_OF(LEVEL_ROBUST);
+}
+
 TEST(ScatterDirection, equal_indices_bend_nothing) {
   RandomValues random(16);
   for (int i = 0; i < 1000; ++i) {

@@ -51,6 +51,7 @@ using glm::max;
 using glm::min;
 using glm::mix;
 using glm::pow;
+using glm::sign;
 using glm::sqrt;
 using glm::uintBitsToFloat;
 
