@@ -67,8 +67,9 @@ struct PlaneCrossing {
 // the plane within that error and before all corners: a ray along a triangle, aimed at its edge, would slip through a closed
 // surface.
 PlaneCrossing plane_crossing(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2, IN(float) nearest, IN(float) farthest) {
+  const float scale = 1.099511627776e12f;  // 2^40 keeps products of three small lengths above 2^-126
   precise vec3 p = v0 - ray.origin;
-  precise vec3 e1 = v1 - v0;
+  precise vec3 e1 = (v1 - v0) * scale;
   precise vec3 e2 = v2 - v0;
   precise vec3 plus = vec3(e1.y * e2.z, e1.z * e2.x, e1.x * e2.y);
   precise vec3 minus = vec3(e1.z * e2.y, e1.x * e2.z, e1.y * e2.x);

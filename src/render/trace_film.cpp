@@ -17,7 +17,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// A GPU wants more lanes at once; the samples of a CPU's tile should stay in its caches.
+/// Pixels of a tile's side: its samples stay in the caches of a CPU and fill a GPU.
 constexpr int kTile = 256;
 constexpr int kBlock = JOB_BLOCK_SIDE;
 /// Samples of a pass of a tile wait in a buffer of at most that size.
@@ -45,8 +45,7 @@ std::uint64_t bytes_per_sample(const TraceSpecialization& specialization) {
 }
 
 /// What the settings ask for, but no larger than the image, and small enough for one sample of each of its pixels.
-glm::ivec2 chosen_tile(const DeviceDescription& device, const RenderSettings& settings, const PixelRect& area,
-                       std::uint64_t sample_bytes) {
+glm::ivec2 chosen_tile(const RenderSettings& settings, const PixelRect& area, std::uint64_t sample_bytes) {
   glm::ivec2 tile = settings.tile.x > 0 ? settings.tile : glm::ivec2(kTile);
   tile = glm::min(tile, glm::ivec2(area.width, area.height));
   while (jobs_per_sample(tile) * sample_bytes > kSampleBytes) (tile.x > tile.y ? tile.x : tile.y) /= 2;
@@ -114,7 +113,7 @@ class Tracer {
          const RenderSettings& settings, Film& film)
       : scene_(scene),
         submitter_(device),
-        tile_(chosen_tile(device.description(), settings, film.area(), bytes_per_sample(specialization))),
+        tile_(chosen_tile(settings, film.area(), bytes_per_sample(specialization))),
         most_samples_(most_samples(tile_, bytes_per_sample(specialization))),
         wanted_ms_(settings.dispatch_ms),
         invocations_(invocation_count(device.description())),

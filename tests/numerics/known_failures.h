@@ -16,12 +16,7 @@ struct KnownFailure {
 inline constexpr std::array<KnownFailure, 0> kKnownFailures = {};
 
 /// The same on SwiftShader alone.
-inline constexpr std::array kKnownSwiftShaderFailures = {
-    KnownFailure{
-        "tiny_mesh_robust",
-        "one ray of 65536 out of a sphere of 1e-12; suspected: the side of a plane is a product of three lengths, "
-        "below 2^-126 there, and denormals are flushed. Products of weights and depths, tried before, had none"},
-};
+inline constexpr std::array<KnownFailure, 0> kKnownSwiftShaderFailures = {};
 
 /// Whether `name` is listed for the driver that the test runs on.
 inline bool is_known_failure(std::string_view name, bool is_swiftshader) {
