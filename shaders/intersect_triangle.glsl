@@ -26,7 +26,7 @@ struct Crossing {
 // Roundings between the origin meant and the one given.
 const float ORIGIN_ROUNDINGS = 8.0f;
 // Roundings of the side of a plane that the origin lies on.
-const float SIDE_ROUNDINGS = 10.0f;
+const float SIDE_ROUNDINGS = 8.5f;
 
 // v with `axis` last, in cyclic order.
 vec3 axis_last(IN(vec3) v, IN(int) axis) {
@@ -63,7 +63,7 @@ struct PlaneCrossing {
 // (src/bvh/corner_order.h), so that a needle's normal comes from its short edges.
 // In front for certain is a crossing whose origin lies on that side of the plane by more than the error of the side (Shewchuk
 // 1997, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", section 4.2, with the roundings
-// of the edges: 4 for the normal, 1 for the corner, 3 for the dot product, 2 for the bound itself). Or one whose origin lies in
+// of the edges: 4 for the normal, 1 for the corner, 3 for the dot product, half for the bound itself). Or one whose origin lies in
 // the plane within that error and before all corners: a ray along a triangle, aimed at its edge, would slip through a closed
 // surface.
 PlaneCrossing plane_crossing(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2, IN(float) nearest, IN(float) farthest) {
