@@ -34,7 +34,7 @@ TEST_P(AcrossDevices, ExactHitsAreTheSameAndColoursNearlySo) {
 TEST(DriverDifference, HoldsAtExact) {
   const VulkanInstance instance(true);
   const Device device(instance, choose_device(list_devices(instance), "llvmpipe"));
-  CaseSetup setup;
+  vernier::CaseSetup setup;
   setup.device = &device;
   setup.level = Accuracy::exact;
   setup.levels = LEVELS_OF(LEVEL_EXACT);
