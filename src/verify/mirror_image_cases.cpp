@@ -10,7 +10,7 @@ namespace vernier {
 namespace {
 
 /// A thousand bounces are a thousand searches: fewer pixels than elsewhere.
-constexpr int kSide = 32;
+constexpr int kSide = 48;
 
 /// Sum of the first `count` powers of `ratio`.
 double power_sum(double ratio, double count) {
