@@ -11,6 +11,7 @@
 #include "cli/progress_bar.h"
 #include "cli/recipe.h"
 #include "cli/render_report.h"
+#include "cli/sample_command.h"
 #include "cli/scene_setup.h"
 #include "cli/warnings.h"
 #include "error.h"
@@ -46,16 +47,14 @@ void print_summary(const RenderPlan& plan, const RenderReport& report, const Ima
 }
 
 // What makes a render that was written a failed one.
-void check_outcome(const RenderReport& report, const std::string& file) {
+void check_outcome(const RenderReport& report, const RenderPlan& plan) {
   const RenderStatistics& statistics = report.statistics;
   if (statistics.non_finite_pixels > 0) {
-    const bool one = statistics.non_finite_pixels == 1;
-    throw Error(ErrorKind::failed, file + ": " + std::to_string(statistics.non_finite_pixels) +
-                                       (one ? " pixel is" : " pixels are") +
-                                       " not finite, the first: " + statistics.first_non_finite);
+    throw Error(ErrorKind::failed, plan.output + ": " + non_finite_text(statistics) + "; again by: " +
+                                       sample_command(plan, report.device.name, statistics.first_non_finite));
   }
   if (interrupted()) {
-    throw Error(ErrorKind::failed, file + ": interrupted; it holds what was done by then");
+    throw Error(ErrorKind::failed, plan.output + ": interrupted; it holds what was done by then");
   }
 }
 
@@ -80,7 +79,7 @@ int run_render(const RenderPlan& plan) {
     write_text(plan.json_file, render_json(report).dump(2) + "\n");
   }
   print_summary(plan, report, result.image);
-  check_outcome(report, plan.output);
+  check_outcome(report, plan);
   return 0;
 }
 

@@ -107,6 +107,13 @@ std::string summary_line(const RenderReport& report, const std::string& file) {
   return file + text + rate_text(rays_per_s(statistics));
 }
 
+std::string non_finite_text(const RenderStatistics& statistics) {
+  const SamplePlace& first = statistics.first_non_finite;
+  return std::to_string(statistics.non_finite_pixels) +
+         (statistics.non_finite_pixels == 1 ? " pixel is" : " pixels are") + " not finite, the first: pixel " +
+         std::to_string(first.x) + "," + std::to_string(first.y) + ", sample " + std::to_string(first.sample);
+}
+
 std::string verbose_text(const RenderReport& report) {
   const RenderStatistics& statistics = report.statistics;
   char text[256];

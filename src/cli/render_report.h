@@ -32,6 +32,10 @@ nlohmann::ordered_json render_json(const RenderReport& report);
 /// One line for stderr: size, samples, rays, rays per second, seconds, file.
 std::string summary_line(const RenderReport& report, const std::string& file);
 
+/// How many pixels are not finite and which pixel and sample is the first: "3 pixels are not finite, the first: pixel
+/// 12,34, sample 5". At least one is.
+std::string non_finite_text(const RenderStatistics& statistics);
+
 /// The lines --verbose adds: device, effects with reasons, sizes and times.
 std::string verbose_text(const RenderReport& report);
 

@@ -90,9 +90,9 @@ DevelopedFilm develop(const std::vector<std::uint32_t>& sums, const PixelRect& a
     if (finite) continue;
     if (film.non_finite_pixels++ == 0) {
       const std::size_t width = static_cast<std::size_t>(area.width);
-      film.first_non_finite = "pixel " + std::to_string(area.x + static_cast<int>(pixel % width)) + "," +
-                              std::to_string(area.y + static_cast<int>(pixel / width)) + ", sample " +
-                              std::to_string(words[FILM_FIRST_NON_FINITE] - 1);
+      film.first_non_finite = {.x = area.x + static_cast<int>(pixel % width),
+                               .y = area.y + static_cast<int>(pixel / width),
+                               .sample = words[FILM_FIRST_NON_FINITE] - 1};
     }
   }
   return film;

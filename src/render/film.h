@@ -7,6 +7,7 @@
 #include "gpu/buffer.h"
 #include "image/image.h"
 #include "render/render_settings.h"
+#include "render/render_statistics.h"
 
 namespace vernier {
 
@@ -50,7 +51,7 @@ struct DevelopedFilm {
   std::vector<std::uint32_t> sample_count;  ///< [height][width]
   std::vector<float> cost;                  ///< [height][width][3]: rays, nodes, triangles per sample
   std::uint64_t non_finite_pixels = 0;
-  std::string first_non_finite;  ///< `pixel 12,34, sample 5`; empty for none
+  SamplePlace first_non_finite;  ///< where there is one, in pixels of the full image
   std::uint32_t least_samples = 0;
 };
 

@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "bvh/build_bvh.h"
+#include "bvh/hidden_triangles.h"
 #include "error.h"
 #include "render/bake_instances.h"
 #include "render/pack_materials.h"
@@ -72,7 +73,9 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count) {
   const auto not_opaque = [&](std::uint32_t id) {
     return lets_light_pass(scene.materials[baked.triangles[4 * id + 3]]);
   };
-  packed.bvh = build_bvh(baked.corners, not_opaque, thread_count);
+  const std::vector<BvhTriangle> visible = without_hidden(baked.corners, not_opaque);
+  packed.hidden_triangles = baked.corners.size() - visible.size();
+  packed.bvh = build_bvh(visible, not_opaque, thread_count);
   packed.bvh_build_ms = milliseconds_since(build_start);
   packed.triangles = std::move(baked.triangles);
   packed.triangle_ids = std::move(baked.triangle_ids);

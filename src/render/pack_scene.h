@@ -23,8 +23,9 @@ struct PackedScene {
   std::vector<std::uint32_t> lights;
   std::vector<std::uint32_t> textures;
   std::vector<std::uint32_t> texels;
-  RenderConstants constants{};   ///< all that the scene decides; set_camera and set_settings add the rest
-  SteeringConstants steering{};  ///< likewise
+  RenderConstants constants{};       ///< all that the scene decides; set_camera and set_settings add the rest
+  SteeringConstants steering{};      ///< likewise
+  std::size_t hidden_triangles = 0;  ///< left out of the BVH: they lie exactly on opaque ones before them
   double bake_ms = 0.0;
   double bvh_build_ms = 0.0;
 };

@@ -53,6 +53,28 @@ void describe_scene(const Scene& scene, const PackedScene& packed, RenderStatist
   statistics.pack_ms = packed.bake_ms;
 }
 
+/// Triangles of all instances that validate_scene dropped, and has told of.
+std::size_t dropped_triangles(const Scene& scene) {
+  std::size_t count = 0;
+  for (const Instance& instance : scene.instances) {
+    const std::vector<glm::uvec3>& triangles = scene.meshes[instance.mesh].triangles;
+    count += static_cast<std::size_t>(std::ranges::count(triangles, glm::uvec3(0)));
+  }
+  return count;
+}
+
+/// Tells of triangles that no ray will meet.
+void describe_left_out(const Scene& scene, const PackedScene& packed, RenderStatistics& statistics) {
+  const auto tell = [&](std::size_t count, const char* what) {
+    if (count == 0) return;
+    statistics.warnings.push_back(scene.source + ": " + std::to_string(count) +
+                                  (count == 1 ? " triangle " : " triangles ") + what);
+  };
+  const std::size_t left_out = packed.triangles.size() / 4 - packed.bvh.triangle_count;
+  tell(left_out - packed.hidden_triangles - dropped_triangles(scene), "without area, never hit");
+  tell(packed.hidden_triangles, "exactly on others before, never seen");
+}
+
 void describe_trace(const TraceStatistics& trace, RenderStatistics& statistics) {
   statistics.rays = trace.rays;
   statistics.stack_overflows = trace.stack_overflows;
@@ -108,6 +130,7 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
 
   PackedScene packed = pack_scene(scene, 0);
   describe_scene(scene, packed, statistics);
+  describe_left_out(scene, packed, statistics);
   set_camera(packed, camera, settings);
   set_settings(packed, settings);
 

@@ -16,6 +16,13 @@ struct RayCounts {
   std::uint64_t refraction = 0;
 };
 
+/// One sample of one pixel of the full image.
+struct SamplePlace {
+  int x = 0;
+  int y = 0;
+  std::uint32_t sample = 0;
+};
+
 /// What a render did and what it took. Times in milliseconds.
 struct RenderStatistics {
   EffectSet effects;  ///< as used
@@ -35,7 +42,7 @@ struct RenderStatistics {
   double trace_wall_ms = 0.0;
   RayCounts rays;
   std::uint64_t non_finite_pixels = 0;
-  std::string first_non_finite;  ///< pixel and sample of the first, empty for none
+  SamplePlace first_non_finite;  ///< of those pixels, row by row, the first, and the first such sample of it
   std::uint64_t stack_overflows = 0;
   std::uint32_t samples_done = 0;  ///< samples every pixel has got
   std::uint64_t device_bytes = 0;

@@ -1,5 +1,6 @@
 #include "scene/mesh_faults.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vernier {
@@ -24,6 +25,16 @@ void replace_non_finite(std::vector<glm::vec<N, float>>& values, const glm::vec<
     if (is_finite(values[i])) continue;
     values[i] = none;
     faults.add(std::string("non-finite ") + name + " are ignored", place(mesh_index, "vertex", i));
+  }
+}
+
+/// A float keeps 24 bits: beyond 2^16 fewer than 8 are left for the place within a texture's period.
+constexpr float kLargestUv = 0x1p16f;
+
+void tell_coarse_uvs(const std::vector<glm::vec2>& uvs, std::size_t mesh_index, FaultList& faults) {
+  for (std::size_t i = 0; i < uvs.size(); ++i) {
+    if (std::max(std::abs(uvs[i].x), std::abs(uvs[i].y)) <= kLargestUv) continue;
+    faults.add("texture coordinates beyond 65536 are too coarse to place a texture", place(mesh_index, "vertex", i));
   }
 }
 
@@ -61,6 +72,7 @@ void repair_mesh(Mesh& mesh, std::size_t mesh_index, FaultList& faults) {
   replace_non_finite<4>(mesh.colors, glm::vec4(1.0f), "colours", mesh_index, faults);
   for (std::vector<glm::vec2>& uvs : mesh.uvs) {
     replace_non_finite<2>(uvs, glm::vec2(0.0f), "texture coordinates", mesh_index, faults);
+    tell_coarse_uvs(uvs, mesh_index, faults);
   }
 }
 

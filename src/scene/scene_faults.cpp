@@ -83,12 +83,16 @@ bool repair_material(Material& m) {
   return repaired;
 }
 
-void repair_ranges(Light& light) {
+// Whether anything had to be repaired.
+bool repair_ranges(Light& light) {
   constexpr double kRightAngle = std::numbers::pi / 2;
+  const Light before = light;
   if (!(light.range > 0.0)) light.range = std::numeric_limits<double>::infinity();
   if (!(light.outer_cone_angle >= 0.0 && light.outer_cone_angle <= kRightAngle)) light.outer_cone_angle = kRightAngle;
   if (!(light.inner_cone_angle >= 0.0)) light.inner_cone_angle = 0.0;
   light.inner_cone_angle = std::min(light.inner_cone_angle, light.outer_cone_angle);
+  return light.range != before.range || light.outer_cone_angle != before.outer_cone_angle ||
+         light.inner_cone_angle != before.inner_cone_angle;
 }
 
 bool is_light(const Light& light) {
@@ -126,8 +130,12 @@ void drop_instances(Scene& scene, FaultList& faults) {
 }
 
 void drop_lights(Scene& scene, FaultList& faults) {
+  // First, so that both kinds of line count lights as the file does.
+  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
+    if (!repair_ranges(scene.lights[i])) continue;
+    faults.add("ranges and cones of lights that make no sense become the widest", "light " + std::to_string(i));
+  }
   drop(scene.lights, "light", "lights with non-finite values or no direction are dropped", faults, is_light);
-  for (Light& light : scene.lights) repair_ranges(light);
 }
 
 void drop_cameras(Scene& scene, FaultList& faults) {

@@ -14,7 +14,7 @@ struct CaseReport {
   const VerifyCase* verify_case = nullptr;
   CaseResult result;
   double seconds = 0.0;
-  bool held = false;  ///< the target of the level is met; nothing is promised at fast, so it is there always
+  bool held = false;  ///< the target of the level is met; nothing is promised at fast, and of a case that was not run
 };
 
 /// The case called `name`; nullptr when there is none.

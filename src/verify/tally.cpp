@@ -80,6 +80,9 @@ CaseResult Tally::result() const {
   std::vector<float> errors = errors_;
   result.p50 = quantile(errors, 0.5);
   result.p99 = quantile(errors, 0.99);
+  double squares = 0.0;
+  for (const float error : errors) squares += static_cast<double>(error) * error;
+  result.rms = std::sqrt(squares / static_cast<double>(errors.size()));
   return result;
 }
 

@@ -25,14 +25,16 @@ struct CaseSetup {
 struct CaseResult {
   std::uint64_t samples = 0;
   std::uint64_t failures = 0;  ///< samples that broke the property, or whose error is above the level's bound
-  bool has_errors = false;     ///< the case measures errors; else the next three are 0
+  bool has_errors = false;     ///< the case measures errors; else the next four are 0
   double p50 = 0.0;            ///< of the errors, in `unit`
   double p99 = 0.0;
   double max = 0.0;
+  double rms = 0.0;                 ///< root of the mean of their squares
   std::string unit;                 ///< "ulp", "absolute", "relative"; empty without errors
   double bound = 0.0;               ///< errors above it are failures; infinity where the level promises nothing
   std::uint64_t non_finite = 0;     ///< answers that are NaN or infinite and should not be; they are failures too
   std::uint64_t first_failure = 0;  ///< sample number of the first failure, where there is one
+  std::string not_run;              ///< why the case could not be run here; empty where it was
   std::string worst_inputs;         ///< of the first failure, or else of the largest error: hex floats, named
 };
 

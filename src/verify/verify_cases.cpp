@@ -7,6 +7,7 @@
 #include "verify/camera_cases.h"
 #include "verify/fresnel_cases.h"
 #include "verify/hit_cases.h"
+#include "verify/image_cases.h"
 #include "verify/light_cases.h"
 #include "verify/refraction_cases.h"
 #include "verify/spawn_cases.h"
@@ -76,6 +77,7 @@ std::vector<VerifyCase> joined_cases() {
   append(kLightCases);
   append(kCameraCases);
   append(kTerminatorCases);
+  append(kImageCases);
   std::ranges::stable_sort(cases, {}, &VerifyCase::number);
   return cases;
 }

@@ -25,7 +25,8 @@ std::string row(const char* format, Values... values) {
   return text;
 }
 
-const char* verdict(const CaseReport& report) {
+std::string verdict(const CaseReport& report) {
+  if (!report.result.not_run.empty()) return "not run: " + report.result.not_run;
   return !report.held ? "FAILED" : report.result.failures > 0 ? "no target" : "held";
 }
 
@@ -42,9 +43,11 @@ nlohmann::json case_json(const CaseReport& report) {
                          {"held", report.held}};
   json["rate_bound"] = result.failures == 0 ? nlohmann::json(rate_bound(result.samples)) : nlohmann::json(nullptr);
   if (result.has_errors) {
-    json["error"] = {{"unit", result.unit}, {"p50", result.p50}, {"p99", result.p99}, {"max", result.max}};
+    json["error"] = {
+        {"unit", result.unit}, {"p50", result.p50}, {"p99", result.p99}, {"max", result.max}, {"rms", result.rms}};
     json["error"]["bound"] = std::isfinite(result.bound) ? nlohmann::json(result.bound) : nlohmann::json(nullptr);
   }
+  if (!result.not_run.empty()) json["not_run"] = result.not_run;
   if (result.failures > 0) json["first_failure"] = result.first_failure;
   json["worst_inputs"] = result.worst_inputs;
   return json;
@@ -68,7 +71,8 @@ std::string case_line(const CaseReport& report) {
              static_cast<unsigned long long>(result.failures),
              figure(result.failures == 0, rate_bound(result.samples)).c_str(),
              figure(result.has_errors, result.p50).c_str(), figure(result.has_errors, result.p99).c_str(),
-             figure(result.has_errors, result.max).c_str(), result.unit.c_str(), report.seconds, verdict(report));
+             figure(result.has_errors, result.max).c_str(), result.unit.c_str(), report.seconds,
+             verdict(report).c_str());
 }
 
 std::string failure_text(const CaseReport& report, const CaseSetup& setup, const std::string& arguments) {

@@ -13,7 +13,8 @@ struct WideVector {
   Wide x, y, z;
 };
 
-WideVector wide(const glm::vec3& v) {
+template <typename Number>
+WideVector wide(const glm::vec<3, Number>& v) {
   return {v.x, v.y, v.z};
 }
 
@@ -38,11 +39,9 @@ glm::dvec3 unit(const WideVector& v) {
                                    static_cast<double>(v.z / largest)));
 }
 
-}  // namespace
-
-WideCrossing wide_crossing(const RayQuery& query, const BvhTriangle& triangle) {
+WideCrossing crossing_with(const RayQuery& query, const WideVector& v0, const WideVector& v1, const WideVector& v2) {
   const WideVector origin = wide(query.origin), direction = wide(query.direction);
-  const WideVector p0 = wide(triangle.v0) - origin, p1 = wide(triangle.v1) - origin, p2 = wide(triangle.v2) - origin;
+  const WideVector p0 = v0 - origin, p1 = v1 - origin, p2 = v2 - origin;
   // Volumes of the direction with two corners each: the weights of the corners opposite, times their sum.
   const Wide w0 = dot(direction, cross(p1, p2)), w1 = dot(direction, cross(p2, p0)), w2 = dot(direction, cross(p0, p1));
   const Wide sum = w0 + w1 + w2;
@@ -57,6 +56,16 @@ WideCrossing wide_crossing(const RayQuery& query, const BvhTriangle& triangle) {
   crossing.inside = crossing.nearest_edge >= 0.0;
   crossing.cosine = std::abs(glm::dot(unit(normal), unit(direction)));
   return crossing;
+}
+
+}  // namespace
+
+WideCrossing wide_crossing(const RayQuery& query, const BvhTriangle& triangle) {
+  return crossing_with(query, wide(triangle.v0), wide(triangle.v1), wide(triangle.v2));
+}
+
+WideCrossing wide_crossing(const RayQuery& query, const std::array<LongPoint, 3>& corners) {
+  return crossing_with(query, wide(corners[0]), wide(corners[1]), wide(corners[2]));
 }
 
 glm::dvec3 wide_normal(const BvhTriangle& triangle) {

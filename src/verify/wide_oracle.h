@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 
 #include "bvh/bvh.h"
@@ -18,6 +19,12 @@ struct WideCrossing {
 
 /// The crossing of `query`'s ray with `triangle`. All coordinates are finite.
 WideCrossing wide_crossing(const RayQuery& query, const BvhTriangle& triangle);
+
+/// A corner that is no float, as a transform makes it.
+using LongPoint = glm::vec<3, long double>;
+
+/// The same with such corners.
+WideCrossing wide_crossing(const RayQuery& query, const std::array<LongPoint, 3>& corners);
 
 /// Normal of the triangle, unit, rounded to double at the end; zero for zero area.
 glm::dvec3 wide_normal(const BvhTriangle& triangle);

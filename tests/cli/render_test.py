@@ -2,7 +2,9 @@
 
 import hashlib
 import json
+import re
 import resource
+import shlex
 import unittest
 
 from program import DONE, FAILED, SCENE, SMALL, TRIANGLE_OBJ, ProgramTest
@@ -97,13 +99,23 @@ class RenderTest(ProgramTest):
         self.assertNotIn("--exposure", self.check_done(*bright, "--exposure", "-3").stderr)
 
     def test_pixels_that_are_not_finite_fail_but_are_written(self):
-        self.write("triangle.obj", TRIANGLE_OBJ)
-        result = self.run_program("render", "triangle.obj", "-o", "out.exr", "--json", "out.json", "--light",
-                                  "point:0.3,0.3,0.001:3e38,3e38,3e38", "--eye", "0.3,0.3,2", *SMALL)
+        self.write("a triangle.obj", TRIANGLE_OBJ)
+        result = self.run_program("render", "a triangle.obj", "-o", "out.exr", "--json", "out.json", "--light",
+                                  "point:0.3,0.3,0.001:3e38,3e38,3e38", "--eye", "-0.3,0.3,2", "--target", "0.3,0.3,0",
+                                  "--size", "24x16", "--spp", "4", "--sample-range", "1:4", "--aov", "depth", "--tile", "8x8")
         self.assertEqual(result.returncode, FAILED, result.stderr)
-        self.assertRegex(result.stderr, r"(?m)^error: out\.exr: \d+ pixels? (is|are) not finite, the first: .*pixel.*sample")
-        self.assertGreater(json.loads((self.folder / "out.json").read_text())["non_finite_pixels"], 0)
-        self.assertEqual(self.files(), ["out.exr", "out.json", "triangle.obj"])
+        found = re.search(r"(?m)^error: out\.exr: (\d+) pixels? (?:is|are) not finite, the first: pixel (\d+),(\d+), "
+                          r"sample (\d+); again by: vernier (.*)$", result.stderr)
+        self.assertIsNotNone(found, result.stderr)
+        count, x, y, sample = map(int, found.groups()[:4])
+        self.assertEqual(json.loads((self.folder / "out.json").read_text())["non_finite_pixels"], count)
+        self.assertIn(sample, range(1, 4))
+        self.assertEqual(self.files(), ["a triangle.obj", "out.exr", "out.json"])
+        # The command in the message traces that sample and no other, and meets the fault again.
+        again = self.run_program(*shlex.split(found.group(5)), "--json", "again.json")
+        self.assertEqual(again.returncode, FAILED, again.stderr)
+        self.assertIn(f"sample.exr: 1 pixel is not finite, the first: pixel {x},{y}, sample {sample};", again.stderr)
+        self.assertEqual(json.loads((self.folder / "again.json").read_text())["rays"]["primary"], 1)
 
     def test_old_file_survives_a_failure(self):
         (self.folder / "out.png").write_bytes(b"old")

@@ -62,7 +62,9 @@ TEST(Develop, pixels_with_a_sample_that_is_not_finite_are_named) {
   }
   const DevelopedFilm film = develop(words, {100, 200, 3, 2});
   EXPECT_EQ(film.non_finite_pixels, 2u);
-  EXPECT_EQ(film.first_non_finite, "pixel 101,201, sample 6");
+  EXPECT_EQ(film.first_non_finite.x, 101);
+  EXPECT_EQ(film.first_non_finite.y, 201);
+  EXPECT_EQ(film.first_non_finite.sample, 6u);
   EXPECT_TRUE(std::isnan(film.color[4 * 4]));
   EXPECT_FALSE(std::isnan(film.color[4 * 3]));
 }

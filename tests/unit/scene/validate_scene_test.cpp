@@ -156,7 +156,16 @@ TEST(ValidateScene, SenselessLightsCamerasAndMaterialsAreToldAndRepaired) {
   EXPECT_EQ(scene.lights[0].range, std::numeric_limits<double>::infinity());
   EXPECT_EQ(scene.cameras.size(), 1u);
   EXPECT_EQ(scene.materials[0].ior, 1.5f);
-  EXPECT_EQ(scene.warnings.size(), 3u);
+  EXPECT_EQ(scene.warnings.size(), 4u);
+}
+
+TEST(ValidateScene, HugeTextureCoordinatesAreToldAndKept) {
+  Scene scene = one_triangle();
+  scene.meshes[0].uvs[0] = {{0, 65536}, {-65537, 0}, {0, 1e30f}};
+  validate_scene(scene);
+  EXPECT_EQ(scene.meshes[0].uvs[0][2].y, 1e30f);
+  EXPECT_EQ(scene.warnings, (std::vector<std::string>{"test: mesh 0, vertex 1 and 1 more: texture coordinates beyond "
+                                                      "65536 are too coarse to place a texture"}));
 }
 
 }  // namespace

@@ -88,6 +88,12 @@ TEST(Tally, what_is_not_finite_fails_even_without_a_bound) {
   EXPECT_EQ(result.max, 0.0);
 }
 
+TEST(Tally, root_mean_square_of_the_errors) {
+  Tally tally("ulp", kInfinity);
+  for (const double error : {3.0, 4.0, 0.0, 0.0}) tally.book_error(error, [] { return std::string(); });
+  EXPECT_DOUBLE_EQ(tally.result().rms, 2.5);  // sqrt(25 / 4)
+}
+
 TEST(RateBound, is_the_rule_of_three) {
   EXPECT_EQ(rate_bound(0), 1.0);
   EXPECT_EQ(rate_bound(2), 1.0);

@@ -25,6 +25,13 @@ TEST(WideCrossing, counts_edges_as_inside_and_t_backwards_too) {
   EXPECT_EQ(wide_crossing(ray_query({1, 1, 3}, {0, 0, 1}), kTriangle).t, -1.0);
 }
 
+TEST(WideCrossing, sees_corners_between_floats) {
+  const long double off = 0x1p-60L;
+  const std::array<LongPoint, 3> corners{LongPoint(0, off, 2), LongPoint(4, off, 2), LongPoint(0, 4, 2)};
+  EXPECT_FALSE(wide_crossing(ray_query({1, 0, 0}, {0, 0, 1}), corners).inside);
+  EXPECT_TRUE(wide_crossing(ray_query({1, 0x1p-59f, 0}, {0, 0, 1}), corners).inside);
+}
+
 TEST(WideCrossing, of_a_parallel_ray_there_is_none) {
   const WideCrossing crossing = wide_crossing(ray_query({1, 1, 0}, {1, 0, 0}), kTriangle);
   EXPECT_FALSE(crossing.inside);
