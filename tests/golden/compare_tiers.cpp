@@ -33,21 +33,6 @@ struct PixelCount {
   }
 };
 
-// Rounding shifts a hit by up to this many steps (rounding_distance.h).
-constexpr double kHitSteps = 10.0;
-// The normal turns by at most 15 degrees from edge to edge of the scenes' smooth triangles (24 sides around a lathe),
-// and cosines and reflectances change with it by about as much.
-constexpr double kTurnAcrossTriangle = 0.26;
-
-// How much further, relative, a pixel may be off whose hits keep `steps` steps of rounding from all edges: the
-// triangles are at least twice as wide as that, and where they are hardly wider (seen nearly edge-on) a hit's rounding
-// is a good part of the way across. At 10^4 steps, a seventh of a pixel or so, it is as much as the tightest bound;
-// in the scene transforms a shift of the camera by half a micrometre, one step, changes the pixel that is 65 steps from
-// an edge by 1.4e-4.
-double thin_triangle_error(double steps) {
-  return kHitSteps / (2.0 * steps) * kTurnAcrossTriangle;
-}
-
 // The worst channel of a pixel, relative to the golden; infinity for NaN.
 double relative_difference(const float* a, const float* b) {
   double worst = 0.0;
@@ -101,7 +86,7 @@ TierResult compare_linear(const ImageFile& render, const ImageFile& golden, cons
   for (std::size_t pixel = 0; pixel < decided.size(); ++pixel) {
     if (!(decided[pixel] > rounding_steps)) continue;
     const double difference = relative_difference(a.data() + 4 * pixel, b.data() + 4 * pixel);
-    if (!(difference <= bounds.relative + thin_triangle_error(decided[pixel]))) over.add(pixel);
+    if (!(difference <= bounds.relative)) over.add(pixel);
     worst = std::max(worst, difference);
   }
   const Difference whole = compare_images(color_of(render), color_of(golden));

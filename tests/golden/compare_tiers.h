@@ -17,8 +17,7 @@ struct TierResult {
 /// except in pixels that are undecided.
 TierResult compare_hits(const ImageFile& render, const ImageFile& golden, const HitBounds& bounds, std::uint32_t spp);
 
-/// Tier B: linear colour. Undecided pixels are not compared one by one, but count in the RMSE; those with hits near an
-/// edge may differ by what rounding does across a triangle as thin as that.
+/// Tier B: linear colour. Undecided pixels are not compared one by one, but count in the RMSE.
 TierResult compare_linear(const ImageFile& render, const ImageFile& golden, const LinearBounds& bounds,
                           double rounding_steps);
 

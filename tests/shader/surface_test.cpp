@@ -41,8 +41,7 @@ Memory memory_with(const Corners& corners) {
 
 /// The point with weights b1 and b2 of the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), whose front looks along +Z.
 TrianglePoint unit_triangle_point(float b1, float b2) {
-  const Ray ray(vec3(b1, b2, 1), vec3(0, 0, -1));
-  return point_on_triangle(ray, Hit(1.0f, 0u, 0u, b1, b2), vec3(0), vec3(1, 0, 0), vec3(0, 1, 0), uvec4(0, 1, 2, 7));
+  return weighted_point(vec3(0), vec3(1, 0, 0), vec3(0, 1, 0), uvec4(0, 1, 2, 7), vec3(1 - b1 - b2, b1, b2), 1.0f);
 }
 
 /// A unit vector has two roundings per component: the scaled sum's and the reciprocal's, and those of the sum under the
