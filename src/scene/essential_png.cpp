@@ -8,6 +8,8 @@
 #include <iterator>
 
 #include "error.h"
+#include "scene/png_pixels.h"
+#include "scene/texture_from_image.h"
 
 namespace vernier {
 namespace {
@@ -63,8 +65,7 @@ bool is_allowed(std::uint8_t depth, std::uint8_t color) {
   return (color == 2 || color == 4 || color == 6) && (depth == 8 || depth == 16);
 }
 
-// The kind of colour.
-std::uint8_t check_header(const Chunk& chunk, const std::string& name) {
+PngLayout checked_layout(const Chunk& chunk, const std::string& name) {
   if (chunk.kind != "IHDR" || chunk.content.size() != kHeaderBytes) refuse(name, "the PNG file has no header");
   const auto byte = [&](std::size_t i) { return std::to_integer<std::uint8_t>(chunk.content[i]); };
   const std::uint32_t width = word_at(chunk.content, 0), height = word_at(chunk.content, 4);
@@ -74,7 +75,14 @@ std::uint8_t check_header(const Chunk& chunk, const std::string& name) {
     refuse(name, "the PNG header makes no sense: " + std::to_string(width) + "x" + std::to_string(height) + ", " +
                      std::to_string(byte(8)) + " bits, colour type " + std::to_string(byte(9)));
   }
-  return byte(9);
+  return {width, height, byte(8), byte(9), byte(12) == 1};
+}
+
+// Of pictures that are too large nothing is inflated: the reader refuses them by their size.
+void check_pixels(const PngLayout& layout, std::span<const std::span<const std::byte>> parts, const std::string& name) {
+  if (std::uint64_t{layout.width} * layout.height > kMaxTexels) return;
+  const std::string fault = png_pixel_fault(layout, parts);
+  if (!fault.empty()) refuse(name, "the PNG file is damaged in its pixels: " + fault);
 }
 
 void append(std::vector<std::byte>& file, std::span<const std::byte> bytes) {
@@ -88,24 +96,26 @@ std::vector<std::byte> essential_png(std::span<const std::byte> encoded, const s
   file.reserve(encoded.size() + kFrameBytes);
   append(file, encoded.first(kSignatureBytes));
   std::span<const std::byte> rest = encoded.subspan(kSignatureBytes);
-  std::uint8_t color = 0;
-  bool has_palette = false, has_pixels = false, ended = false;
+  PngLayout layout{};
+  std::vector<std::span<const std::byte>> pixels;
+  bool has_palette = false, ended = false;
   for (std::size_t number = 0; !rest.empty() && !ended; ++number) {
     const Chunk chunk = first_chunk(rest, name);
     rest = rest.subspan(chunk.framed.size());
     if (number > 0 && !is_essential(chunk.kind)) continue;
     check_sum(chunk, name);
-    if (number == 0) color = check_header(chunk, name);
+    if (number == 0) layout = checked_layout(chunk, name);
     has_palette = has_palette || chunk.kind == "PLTE";
-    has_pixels = has_pixels || chunk.kind == "IDAT";
+    if (chunk.kind == "IDAT") pixels.push_back(chunk.content);
     ended = chunk.kind == "IEND";
-    const bool late = has_pixels && chunk.kind != "IDAT" && !ended;
+    const bool late = !pixels.empty() && chunk.kind != "IDAT" && !ended;
     const bool again = number > 0 && chunk.kind == "IHDR";
     if (late || again) refuse(name, "the PNG file is damaged: a chunk " + chunk.kind + " is out of place");
     append(file, chunk.framed);
   }
-  if (!has_pixels) refuse(name, "the PNG file has no pixels");
-  if (color == kPaletteColor && !has_palette) refuse(name, "the PNG file has no palette");
+  if (pixels.empty()) refuse(name, "the PNG file has no pixels");
+  if (layout.color == kPaletteColor && !has_palette) refuse(name, "the PNG file has no palette");
+  check_pixels(layout, pixels, name);
   constexpr std::array<unsigned char, kFrameBytes> kEnd = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xAE, 0x42, 0x60, 0x82};
   if (!ended) append(file, std::as_bytes(std::span(kEnd)));
   return file;

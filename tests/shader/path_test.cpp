@@ -33,8 +33,8 @@ Memory path_memory(uint invocations) {
 LightVisit numbered_visit(float first) {
   const auto word = [&](int i) { return static_cast<uint>(first) + static_cast<uint>(i); };
   const auto vector = [&](float i) { return vec3(first + i, first + i + 1, first + i + 2); };
-  return LightVisit(Hit(first, word(1), word(2)), word(5), Ray(vector(6), vector(9)), first + 12,
-                    word(13), first + 14, vector(15), vector(18));
+  return LightVisit(Hit(first, word(1), word(2)), word(5), Ray(vector(6), vector(9)), first + 12, word(13), first + 14,
+                    vector(15), vector(18));
 }
 
 void expect_equal(const LightVisit& a, const LightVisit& b) {

@@ -26,7 +26,18 @@ std::string header(char depth, char color) {
   return chunk("IHDR", big_endian(2) + big_endian(1) + std::string{depth, color, 0, 0, 0});
 }
 
-const std::string kPixels = chunk("IDAT", "deflated");
+/// One row of `row_bytes` black bytes without a filter, deflated.
+std::string deflated(std::size_t row_bytes) {
+  const std::string rows(1 + row_bytes, '\0');
+  uLongf size = compressBound(static_cast<uLong>(rows.size()));
+  std::string stream(size, '\0');
+  compress(reinterpret_cast<Bytef*>(stream.data()), &size, reinterpret_cast<const Bytef*>(rows.data()),
+           static_cast<uLong>(rows.size()));
+  stream.resize(size);
+  return stream;
+}
+
+const std::string kPixels = chunk("IDAT", deflated(6));  // of header(8, 2)
 const std::string kEnd = chunk("IEND", "");
 
 std::string essential(const std::string& file) {
@@ -47,10 +58,12 @@ void expect_refused(const std::string& file, const std::string& part) {
 
 TEST(EssentialPng, LeavesOutWhatPixelsDoNotNeed) {
   const std::string palette = chunk("PLTE", "abcdef"), alpha = chunk("tRNS", "x");
-  const std::string plain = kSignature + header(8, 3) + palette + alpha + kPixels + kPixels + kEnd;
+  const std::string stream = deflated(2);
+  const std::string begin = chunk("IDAT", stream.substr(0, 3)), rest = chunk("IDAT", stream.substr(3));
+  const std::string plain = kSignature + header(8, 3) + palette + alpha + begin + rest + kEnd;
   EXPECT_EQ(essential(plain), plain);
-  EXPECT_EQ(essential(kSignature + header(8, 3) + chunk("iCCP", "sRGB") + palette + alpha + kPixels +
-                      chunk("tEXt", "by") + kPixels + kEnd + "rubbish"),
+  EXPECT_EQ(essential(kSignature + header(8, 3) + chunk("iCCP", "sRGB") + palette + alpha + begin +
+                      chunk("tEXt", "by") + rest + kEnd + "rubbish"),
             plain);
 }
 
@@ -61,7 +74,7 @@ TEST(EssentialPng, AMissingEndIsAdded) {
 TEST(EssentialPng, DamageIsRefusedWithItsName) {
   const std::string whole = kSignature + header(8, 2) + kPixels + kEnd;
   std::string damaged = whole;
-  damaged[damaged.find("deflated")] = 'D';
+  ++damaged[damaged.find("IDAT") + 4];
   expect_refused(damaged, "wrong checksum of a chunk IDAT");
   for (std::size_t size = kSignature.size() + 1; size + kEnd.size() < whole.size(); ++size) {
     if (size != kSignature.size() + header(8, 2).size()) expect_refused(whole.substr(0, size), "ends within a chunk");
@@ -74,12 +87,22 @@ TEST(EssentialPng, DamageIsRefusedWithItsName) {
   expect_refused(kSignature + header(8, 2) + kPixels + chunk("PLTE", "abc"), "PLTE is out of place");
 }
 
+TEST(EssentialPng, DamageWithinThePixelsIsRefused) {
+  expect_refused(kSignature + header(8, 2) + chunk("IDAT", "rubbish") + kEnd, "damaged in its pixels: ");
+  expect_refused(kSignature + header(8, 6) + kPixels + kEnd, "damaged in its pixels: the pixels end early");
+}
+
+TEST(EssentialPng, NothingIsInflatedForPixelsThatAreTooMany) {
+  const std::string huge = chunk("IHDR", big_endian(1 << 20) + big_endian(1 << 20) + std::string{8, 2, 0, 0, 0});
+  EXPECT_NO_THROW(essential(kSignature + huge + chunk("IDAT", "rubbish") + kEnd));
+}
+
 TEST(EssentialPng, TheHeaderMakesSense) {
   for (const auto& [depth, color] : {std::pair<char, char>{16, 3}, {4, 2}, {3, 0}, {8, 5}, {8, 7}}) {
     expect_refused(kSignature + header(depth, color) + kPixels, "header makes no sense");
   }
-  EXPECT_NO_THROW(essential(kSignature + header(1, 0) + kPixels));
-  EXPECT_NO_THROW(essential(kSignature + header(16, 6) + kPixels));
+  EXPECT_NO_THROW(essential(kSignature + header(1, 0) + chunk("IDAT", deflated(1))));
+  EXPECT_NO_THROW(essential(kSignature + header(16, 6) + chunk("IDAT", deflated(16))));
   const std::string wide = chunk("IHDR", big_endian(0) + big_endian(1) + std::string{8, 2, 0, 0, 0});
   expect_refused(kSignature + wide + kPixels, "0x1");
 }

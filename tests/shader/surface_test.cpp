@@ -1,0 +1,280 @@
+#include <gtest/gtest.h>
+
+#include <array>
+#include <bit>
+#include <limits>
+#include <numbers>
+
+#include "shader/random_values.h"
+#include "shader/shader.h"
+
+namespace vernier::shader {
+namespace {
+
+constexpr float kHalfRoot = 1.0f / std::numbers::sqrt2_v<float>;
+constexpr vec3 kUp(0, 0, 1);
+
+/// Vertex data of a triangle's three corners, and where they lie in a vertex: normal, tangent, UV sets 0 and 1.
+struct Corners {
+  std::array<vec3, 3> normals{vec3(0, 0, 1), vec3(0, 0, 1), vec3(0, 0, 1)};
+  std::array<vec4, 3> tangents{};
+  std::array<vec2, 3> uvs{vec2(0, 0), vec2(1, 0), vec2(0, 1)};
+  std::array<vec2, 3> second_uvs{};
+};
+
+/// Memory with one triangle's vertices: all attributes but colours are there.
+Memory memory_with(const Corners& corners) {
+  Memory scene;
+  SteeringConstants& steering = scene.dispatch.steering;
+  steering.vertex_texels = 3;
+  steering.normal_texel = 0;
+  steering.tangent_texel = 1;
+  steering.uv01_texel = 2;
+  steering.uv23_texel = steering.color_texel = NONE;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const vec4 uvs(corners.uvs[i].x, corners.uvs[i].y, corners.second_uvs[i].x, corners.second_uvs[i].y);
+    for (const vec4& texel : {vec4(corners.normals[i], 0), corners.tangents[i], uvs})
+      scene.vertices.push_back(std::bit_cast<uvec4>(texel));
+  }
+  return scene;
+}
+
+/// The point with weights b1 and b2 of the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), whose front looks along +Z.
+TrianglePoint unit_triangle_point(float b1, float b2) {
+  return weighted_point(vec3(0), vec3(1, 0, 0), vec3(0, 1, 0), uvec4(0, 1, 2, 7), vec3(1 - b1 - b2, b1, b2), 1.0f);
+}
+
+/// A unit vector has two roundings per component: the scaled sum's and the reciprocal's, and those of the sum under the
+/// root at half their size. 4 half ulps of 1 bound them.
+void expect_unit_near(const vec3& value, const vec3& expected) {
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(value[i], expected[i], 4 * 0x1p-24f) << i;
+}
+
+DeviceMaterial with_normal_texture(float scale) {
+  DeviceMaterial material{};
+  material.textured_slots = 1u << TEXTURE_SLOT_NORMAL;
+  material.normal_scale = scale;
+  return material;
+}
+
+SlotTexels normal_texel(const vec3& rgb, std::uint32_t uv_set = 0) {
+  SlotTexels texels = no_slot_texels();
+  texels.normal = vec4(rgb, 1);
+  texels.normal_uv_set = uv_set;
+  return texels;
+}
+
+/// The unit triangle's normal bent by a texel of value `rgb`.
+vec3 bent(const Corners& corners, const vec3& rgb, float scale = 1.0f, std::uint32_t uv_set = 0) {
+  Memory scene = memory_with(corners);
+  const BoundMemory bound(scene);
+  return bent_normal(unit_triangle_point(0.25f, 0.25f), with_normal_texture(scale), normal_texel(rgb, uv_set), kUp);
+}
+
+vec3 interpolated_at(const Corners& corners, float b1, float b2) {
+  Memory scene = memory_with(corners);
+  const BoundMemory bound(scene);
+  return interpolated_normal(unit_triangle_point(b1, b2), kUp);
+}
+
+vec4 frame_of(const Corners& corners, std::uint32_t uv_set = 0) {
+  Memory scene = memory_with(corners);
+  const BoundMemory bound(scene);
+  return tangent_frame(unit_triangle_point(0.25f, 0.5f), kUp, uv_set);
+}
+
+TEST(Surface, normals_turn_to_the_viewer_and_front_remembers_the_side) {
+  Memory scene = memory_with({});
+  const BoundMemory bound(scene);
+  const TrianglePoint point = unit_triangle_point(0.25f, 0.25f);
+  const auto seen_along = [&](const vec3& direction) {
+    return surface_point(point, DeviceMaterial{}, no_slot_texels(), direction);
+  };
+  const SurfacePoint front = seen_along(vec3(0, 0, -1)), back = seen_along(vec3(0.6f, 0, 0.8f));
+  EXPECT_TRUE(front.front);
+  EXPECT_EQ(front.geometric_normal, kUp);
+  EXPECT_EQ(front.normal, kUp);
+  EXPECT_FALSE(back.front);
+  EXPECT_EQ(back.geometric_normal, -kUp);
+  EXPECT_EQ(back.normal, -kUp);
+  EXPECT_TRUE(seen_along(vec3(1, 0, 0)).front) << "edge-on is no back";
+  EXPECT_EQ(front.position, vec3(0.25f, 0.25f, 0));
+  EXPECT_EQ(front.material, 7u);
+}
+
+TEST(Surface, the_geometric_normal_needs_no_size) {
+  Memory scene = memory_with({});
+  const BoundMemory bound(scene);
+  for (const float size : {1e-30f, 1e-12f, 1.0f, 1e18f}) {
+    TrianglePoint point = unit_triangle_point(0.25f, 0.25f);
+    point.e1 *= size, point.e2 /= size;  // the product is 1: needles of any length
+    const SurfacePoint surface = surface_point(point, DeviceMaterial{}, no_slot_texels(), vec3(0, 0, -1));
+    expect_unit_near(surface.geometric_normal, kUp);
+  }
+}
+
+TEST(Surface, vertex_normals_are_weighed_and_made_unit) {
+  Corners corners;
+  corners.normals[1] = vec3(1, 0, 0);
+  expect_unit_near(interpolated_at(corners, 0.5f, 0), vec3(kHalfRoot, 0, kHalfRoot));
+  expect_unit_near(interpolated_at(corners, 0.25f, 0.25f), vec3(1, 0, 3) / std::sqrt(10.0f));
+  EXPECT_EQ(interpolated_at(corners, 0, 0), kUp);
+  EXPECT_EQ(interpolated_at(corners, 1, 0), vec3(1, 0, 0));
+}
+
+TEST(Surface, vertex_normals_take_the_geometric_side) {
+  RandomValues random(5);
+  for (int i = 0; i < 1000; ++i) {
+    Corners corners;
+    for (vec3& normal : corners.normals) normal = random.direction();
+    const vec3 one = interpolated_at(corners, 0.25f, 0.5f);
+    for (vec3& normal : corners.normals) normal = -normal;
+    const vec3 other = interpolated_at(corners, 0.25f, 0.5f);
+    ASSERT_GE(one.z, 0.0f);
+    ASSERT_EQ(one, other);  // negation is exact
+  }
+}
+
+TEST(Surface, without_a_usable_vertex_normal_the_geometric_one_stands) {
+  Corners flat_corner;
+  flat_corner.normals = {vec3(1, 0, 0), vec3(0), vec3(1, 0, 0)};
+  EXPECT_EQ(interpolated_at(flat_corner, 0.25f, 0.25f), kUp);
+  Corners opposite;
+  opposite.normals = {vec3(0), vec3(1, 0, 0), vec3(-1, 0, 0)};
+  opposite.normals[0] = vec3(0, 1, 0);
+  EXPECT_EQ(interpolated_at(opposite, 0.5f, 0.5f), kUp) << "a sum of zero";
+  Corners tilted;
+  tilted.normals.fill(vec3(1, 0, 0));
+  Memory scene = memory_with(tilted);
+  const BoundMemory bound(scene);
+  scene.dispatch.steering.normal_texel = NONE;
+  EXPECT_EQ(interpolated_normal(unit_triangle_point(0.25f, 0.25f), kUp), kUp);
+  scene.dispatch.steering.normal_texel = 0;
+  EXPECT_EQ(interpolated_normal(unit_triangle_point(0.25f, 0.25f), kUp), vec3(1, 0, 0));
+  EFFECTS = ~EFFECT_SMOOTH_NORMALS;
+  EXPECT_EQ(interpolated_normal(unit_triangle_point(0.25f, 0.25f), kUp), kUp);
+  EFFECTS = 0xffffffffu;
+}
+
+TEST(Surface, a_mesh_s_tangents_are_made_square_to_the_normal) {
+  Corners corners;
+  corners.tangents = {vec4(1, 0, 0.5f, -1), vec4(1, 0, 0.5f, 1), vec4(1, 0, 0.5f, 1)};
+  EXPECT_EQ(frame_of(corners), vec4(1, 0, 0, -1)) << "the handedness is corner 0's";
+  corners.tangents[2].w = 0.0f;  // a corner without tangent: the frame comes from the UV set
+  corners.uvs = {vec2(0, 0), vec2(0, 1), vec2(1, 0)};
+  EXPECT_EQ(frame_of(corners), vec4(0, 1, 0, 1));
+  corners.tangents.fill(vec4(0, 0, 1, 1));  // along the normal: none
+  EXPECT_EQ(vec3(frame_of(corners)), vec3(0));
+}
+
+TEST(Surface, along_the_tangent_of_a_uv_set_u_grows_and_v_stays) {
+  RandomValues random(6);
+  for (int i = 0; i < 5000; ++i) {
+    Corners corners;
+    for (vec2& uv : corners.uvs) uv = vec2(random.in(-2, 2), random.in(-2, 2));
+    const vec2 d1 = corners.uvs[1] - corners.uvs[0], d2 = corners.uvs[2] - corners.uvs[0];
+    const double area = double(d1.x) * d2.y - double(d1.y) * d2.x;
+    if (std::abs(area) < 0.01) continue;  // the direction is not determined well
+    const vec4 frame = frame_of(corners);
+    const glm::dvec3 t(frame);
+    // t = (d2.v, -d1.v) made unit: three roundings of t, products with slopes of at most 4.
+    ASSERT_NEAR(t.x * d1.y + t.y * d2.y, 0.0, 8 * 4 * 0x1p-24);
+    ASSERT_GT(t.x * d1.x + t.y * d2.x, 0.0);
+    ASSERT_EQ(frame.w, area > 0 ? -1.0f : 1.0f);
+    // The bitangent cross(N, T) w points where v falls.
+    const glm::dvec3 b = glm::cross(glm::dvec3(kUp), t) * double(frame.w);
+    ASSERT_LT(b.x * d1.y + b.y * d2.y, 0.0);
+  }
+}
+
+TEST(Surface, the_frame_takes_the_slot_s_own_uv_set) {
+  Corners corners;
+  corners.second_uvs = {vec2(0, 0), vec2(0, 1), vec2(1, 0)};
+  EXPECT_EQ(frame_of(corners, 0), vec4(1, 0, 0, -1));
+  EXPECT_EQ(frame_of(corners, 1), vec4(0, 1, 0, 1));
+}
+
+TEST(Surface, a_uv_set_without_area_or_that_is_not_there_gives_no_frame) {
+  Corners corners;
+  EXPECT_EQ(frame_of(corners, 2), vec4(0));
+  corners.uvs[2] = vec2(3, 0);
+  EXPECT_EQ(frame_of(corners), vec4(0));
+  for (const float odd : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {
+    corners.uvs[2] = vec2(0, odd);
+    EXPECT_EQ(frame_of(corners), vec4(0)) << odd;
+  }
+}
+
+TEST(Surface, a_normal_texel_bends_towards_tangent_and_bitangent) {
+  // T = +X; v points down in the picture, so B = -Y.
+  EXPECT_EQ(bent({}, vec3(0.5f, 0.5f, 1)), kUp);
+  EXPECT_EQ(bent({}, vec3(1, 0.5f, 0.5f)), vec3(1, 0, 0));
+  EXPECT_EQ(bent({}, vec3(0.5f, 1, 0.5f)), vec3(0, -1, 0));
+  expect_unit_near(bent({}, vec3(1, 0.5f, 1)), vec3(kHalfRoot, 0, kHalfRoot));
+  expect_unit_near(bent({}, vec3(1, 1, 1)), vec3(1, -1, 1) / std::numbers::sqrt3_v<float>);
+  EXPECT_EQ(bent({}, vec3(0.5f, 0.5f, 0)), -kUp) << "texels below the surface are taken as they are";
+  EXPECT_EQ(bent({}, vec3(0.5f)), kUp) << "a zero vector is ignored";
+}
+
+TEST(Surface, the_normal_scale_tilts_and_spares_z) {
+  expect_unit_near(bent({}, vec3(1, 0.5f, 1), 2.0f), vec3(2, 0, 1) / std::sqrt(5.0f));
+  expect_unit_near(bent({}, vec3(1, 0.5f, 1), -1.0f), vec3(-kHalfRoot, 0, kHalfRoot));
+  EXPECT_EQ(bent({}, vec3(1, 1, 1), 0.0f), kUp);
+}
+
+TEST(Surface, mirrored_uvs_mirror_the_slope) {
+  Corners mirrored;
+  mirrored.uvs[1] = vec2(-1, 0);
+  expect_unit_near(bent(mirrored, vec3(1, 0.5f, 1)), vec3(-kHalfRoot, 0, kHalfRoot));
+  expect_unit_near(bent(mirrored, vec3(0.5f, 1, 1)), vec3(0, -kHalfRoot, kHalfRoot));
+}
+
+TEST(Surface, without_texture_or_frame_the_normal_stays) {
+  Memory scene = memory_with({});
+  const BoundMemory bound(scene);
+  const TrianglePoint point = unit_triangle_point(0.25f, 0.25f);
+  EXPECT_EQ(bent_normal(point, DeviceMaterial{}, normal_texel(vec3(1, 0.5f, 0.5f)), kUp), kUp);
+  EXPECT_EQ(bent({}, vec3(1, 0.5f, 0.5f), 1.0f, 2), kUp) << "UV set 2 is not there";
+}
+
+TEST(Surface, a_bent_normal_turns_to_the_viewer_with_the_side) {
+  Memory scene = memory_with({});
+  const BoundMemory bound(scene);
+  const TrianglePoint point = unit_triangle_point(0.25f, 0.25f);
+  const SlotTexels texels = normal_texel(vec3(1, 0.5f, 1));
+  const auto normal_along = [&](const vec3& direction) {
+    return surface_point(point, with_normal_texture(1), texels, direction).normal;
+  };
+  expect_unit_near(normal_along(vec3(0, 0, -1)), vec3(kHalfRoot, 0, kHalfRoot));
+  EXPECT_EQ(normal_along(vec3(0, 0, 1)), -normal_along(vec3(0, 0, -1)));
+  EFFECTS = ~EFFECT_NORMAL_TEXTURE;
+  EXPECT_EQ(normal_along(vec3(0, 0, -1)), kUp);
+  EFFECTS = 0xffffffffu;
+}
+
+/// Opacity of a material with base_color.a 0.5, a texel of `base_alpha` (ALPHA slot: `alpha`) and a vertex colour.
+float alpha_of(std::uint32_t mode, std::uint32_t workflow, float base_alpha, float alpha, float color) {
+  DeviceMaterial material{};
+  material.base_color = vec4(1, 1, 1, 0.5f);
+  material.alpha_cutoff = 0.25f;
+  material.flags = workflow | mode << MATERIAL_ALPHA_SHIFT;
+  SlotTexels texels = no_slot_texels();
+  texels.base_color.w = base_alpha;
+  texels.alpha.x = alpha;
+  return surface_alpha(material, texels, vec4(1, 1, 1, color));
+}
+
+TEST(Surface, alpha_by_mode_and_workflow) {
+  constexpr auto kMetal = WORKFLOW_METALLIC_ROUGHNESS, kBlinn = WORKFLOW_BLINN;
+  EXPECT_EQ(alpha_of(ALPHA_OPAQUE, kMetal, 0, 0, 0), 1.0f);
+  EXPECT_EQ(alpha_of(ALPHA_BLEND, kMetal, 0.5f, 0.125f, 1), 0.25f);
+  EXPECT_EQ(alpha_of(ALPHA_BLEND, kBlinn, 0.5f, 0.125f, 1), 0.0625f) << "blinn reads map_d";
+  EXPECT_EQ(alpha_of(ALPHA_BLEND, kMetal, 0.5f, 1, 0.5f), 0.125f) << "the vertex colour's alpha";
+  EXPECT_EQ(alpha_of(ALPHA_BLEND, kMetal, 1, 1, 4), 1.0f);
+  EXPECT_EQ(alpha_of(ALPHA_BLEND, kMetal, 1, 1, -1), 0.0f);
+  EXPECT_EQ(alpha_of(ALPHA_MASK, kMetal, 0.5f, 1, 1), 1.0f) << "the cutoff itself is seen";
+  EXPECT_EQ(alpha_of(ALPHA_MASK, kMetal, std::nextafter(0.5f, 0.0f), 1, 1), 0.0f);
+}
+
+}  // namespace
+}  // namespace vernier::shader
