@@ -17,8 +17,8 @@ struct PngLayout {
 };
 
 /// What is wrong with the compressed pixels that `parts` (the contents of all IDAT chunks in order) hold: a stream that
-/// zlib refuses or that ends early, a row whose filter is none, pixels beyond the last row. Empty for none. Inflates
-/// the stream once, in a fixed buffer. W3C, PNG Specification, Third Edition, 8 to 10.
+/// zlib refuses or that ends early, or a row whose filter is none. Empty for none. Bytes too many are none: readers
+/// pass over them. Inflates the stream once, in a fixed buffer. W3C, PNG Specification, Third Edition, 8 to 10.
 std::string png_pixel_fault(const PngLayout& layout, std::span<const std::span<const std::byte>> parts);
 
 }  // namespace vernier

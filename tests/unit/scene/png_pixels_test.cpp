@@ -49,7 +49,7 @@ TEST(PngPixels, RowsAreAsLongAsTheHeaderSays) {
     const PngLayout layout{5, 3, static_cast<std::uint8_t>(depth), static_cast<std::uint8_t>(color), false};
     EXPECT_EQ(fault_of(layout, deflated(rows(3, row_bytes))), "") << depth << " " << color;
     EXPECT_EQ(fault_of(layout, deflated(rows(2, row_bytes))), "the pixels end early") << depth << " " << color;
-    EXPECT_EQ(fault_of(layout, deflated(rows(3, row_bytes) + '\0')), "the pixels go on after the last row");
+    EXPECT_EQ(fault_of(layout, deflated(rows(3, row_bytes) + '\0')), "");
   }
 }
 
@@ -84,12 +84,12 @@ TEST(PngPixels, AnyByteOfTheStreamThatChangesIsFound) {
   }
 }
 
-TEST(PngPixels, ATruncatedOrLengthenedStreamIsFound) {
+TEST(PngPixels, ATruncatedStreamIsFoundABitMoreIsNoFault) {
   const std::string stream = deflated(rows(4, 4));
   for (std::size_t size = 0; size < stream.size(); ++size) {
     EXPECT_EQ(fault_of({4, 4, 8, 0, false}, stream.substr(0, size)), "the pixels end early") << size;
   }
-  EXPECT_EQ(fault_in_parts({4, 4, 8, 0, false}, stream + "x", 1000), "bytes follow the compressed pixels");
+  EXPECT_EQ(fault_of({4, 4, 8, 0, false}, stream + "x"), "");
   EXPECT_EQ(fault_of({4, 4, 8, 0, false}, ""), "the pixels end early");
 }
 
