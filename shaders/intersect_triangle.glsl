@@ -64,9 +64,10 @@ struct PlaneCrossing {
 // In front for certain is a crossing whose origin lies on that side of the plane by more than the error of the side (Shewchuk
 // 1997, "Adaptive Precision Floating-Point Arithmetic and Fast Robust Geometric Predicates", section 4.2, with the roundings
 // of the edges: 4 for the normal, 1 for the corner, 3 for the dot product, half for the bound itself). Or one whose origin lies in
-// the plane within that error and before all corners: a ray along a triangle, aimed at its edge, would slip through a closed
-// surface.
-PlaneCrossing plane_crossing(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2, IN(float) nearest, IN(float) farthest) {
+// the plane within that error, and before all corners, or `weighed_ahead`: the weights see the crossing more than half-way to
+// the farthest corner. A ray along a triangle, aimed at its edge, would slip through a closed surface.
+PlaneCrossing plane_crossing(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2, IN(float) nearest, IN(float) farthest,
+                             IN(bool) weighed_ahead) {
   const float scale = 1.099511627776e12f;  // 2^40 keeps products of three small lengths above 2^-126
   precise vec3 p = v0 - ray.origin;
   precise vec3 e1 = (v1 - v0) * scale;
@@ -79,7 +80,7 @@ PlaneCrossing plane_crossing(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(ve
   float ahead = approach < 0.0f ? -side : side;
   float t = max(min(side / approach, farthest), nearest);
   float bound = gamma_bound(SIDE_ROUNDINGS) * dot_product(abs(plus) + abs(minus), abs(p));
-  bool certain = mutated(MUTATION_NO_LOWER_BOUND) ? t > 0.0f : ahead > bound || (ahead >= -bound && nearest > ray.nearest);
+  bool certain = mutated(MUTATION_NO_LOWER_BOUND) ? t > 0.0f : ahead > bound || (ahead >= -bound && (nearest > ray.nearest || weighed_ahead));
   return PlaneCrossing(t, certain);
 }
 
@@ -141,7 +142,10 @@ Crossing watertight_crossing(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(ve
   vec3 p2 = sheared_corner(ray, v2);
   vec3 edges = level_at(SPOT_TRIANGLE) == LEVEL_EXACT ? edge_signs(p0, p1, p2) : edge_values(p0, p1, p2);
   precise float det = edges.x + edges.y + edges.z;
-  PlaneCrossing plane = plane_crossing(ray, v0, v1, v2, min(p0.z, min(p1.z, p2.z)), max(p0.z, max(p1.z, p2.z)));
+  float farthest = max(p0.z, max(p1.z, p2.z));
+  float depth = edges.x * p0.z + edges.y * p1.z + edges.z * p2.z;
+  bool weighed_ahead = (det < 0.0f ? -depth : depth) > 0.5f * farthest * abs(det);
+  PlaneCrossing plane = plane_crossing(ray, v0, v1, v2, min(p0.z, min(p1.z, p2.z)), farthest, weighed_ahead);
   return Crossing(is_inside(edges, p0, p1, p2) && det != 0.0f, plane.t, plane.in_front);
 }
 
