@@ -1,4 +1,4 @@
-// Sole owner of bindings. The scene's arrays come as texel buffers with LOADS_TEXELS, else as storage buffers.
+// Sole owner of bindings. The scene's arrays come as storage texel buffers with LOADS_TEXELS, else as storage buffers.
 #ifndef VERNIER_BUFFERS_GLSL
 #define VERNIER_BUFFERS_GLSL
 
@@ -10,22 +10,22 @@ layout(set = 0, binding = BINDING_RENDER, scalar) uniform RenderBlock { RenderCo
 layout(set = 0, binding = BINDING_DISPATCH, scalar) readonly buffer DispatchBlock { DispatchConstants dispatch; };
 
 #ifdef LOADS_TEXELS
-layout(set = 0, binding = BINDING_RECORDS) uniform usamplerBuffer record_texels;
-layout(set = 0, binding = BINDING_TRIANGLES) uniform usamplerBuffer triangle_texels;
-layout(set = 0, binding = BINDING_VERTICES) uniform usamplerBuffer vertex_texels;
-layout(set = 0, binding = BINDING_MATERIALS) uniform usamplerBuffer material_texels;
-layout(set = 0, binding = BINDING_LIGHTS) uniform usamplerBuffer light_texels;
-layout(set = 0, binding = BINDING_TEXTURES) uniform usamplerBuffer texture_texels;
-layout(set = 0, binding = BINDING_TEXELS) uniform usamplerBuffer texel_words;
-layout(set = 0, binding = BINDING_TRIANGLE_IDS) uniform usamplerBuffer triangle_id_words;
-uvec4 load_record(uint i) { return texelFetch(record_texels, int(i)); }
-uvec4 load_triangle(uint i) { return texelFetch(triangle_texels, int(i)); }
-uvec4 load_vertex(uint i) { return texelFetch(vertex_texels, int(i)); }
-uvec4 load_material(uint i) { return texelFetch(material_texels, int(i)); }
-uvec4 load_light(uint i) { return texelFetch(light_texels, int(i)); }
-uvec4 load_texture(uint i) { return texelFetch(texture_texels, int(i)); }
-uint load_texel(uint i) { return texelFetch(texel_words, int(i)).x; }
-uint load_triangle_id(uint i) { return texelFetch(triangle_id_words, int(i)).x; }
+layout(set = 0, binding = BINDING_RECORDS, rgba32ui) uniform readonly uimageBuffer record_texels;
+layout(set = 0, binding = BINDING_TRIANGLES, rgba32ui) uniform readonly uimageBuffer triangle_texels;
+layout(set = 0, binding = BINDING_VERTICES, rgba32ui) uniform readonly uimageBuffer vertex_texels;
+layout(set = 0, binding = BINDING_MATERIALS, rgba32ui) uniform readonly uimageBuffer material_texels;
+layout(set = 0, binding = BINDING_LIGHTS, rgba32ui) uniform readonly uimageBuffer light_texels;
+layout(set = 0, binding = BINDING_TEXTURES, rgba32ui) uniform readonly uimageBuffer texture_texels;
+layout(set = 0, binding = BINDING_TEXELS, r32ui) uniform readonly uimageBuffer texel_words;
+layout(set = 0, binding = BINDING_TRIANGLE_IDS, r32ui) uniform readonly uimageBuffer triangle_id_words;
+uvec4 load_record(uint i) { return imageLoad(record_texels, int(i)); }
+uvec4 load_triangle(uint i) { return imageLoad(triangle_texels, int(i)); }
+uvec4 load_vertex(uint i) { return imageLoad(vertex_texels, int(i)); }
+uvec4 load_material(uint i) { return imageLoad(material_texels, int(i)); }
+uvec4 load_light(uint i) { return imageLoad(light_texels, int(i)); }
+uvec4 load_texture(uint i) { return imageLoad(texture_texels, int(i)); }
+uint load_texel(uint i) { return imageLoad(texel_words, int(i)).x; }
+uint load_triangle_id(uint i) { return imageLoad(triangle_id_words, int(i)).x; }
 #else
 layout(set = 0, binding = BINDING_RECORDS, scalar) readonly buffer Records { uvec4 record_texels[]; };
 layout(set = 0, binding = BINDING_TRIANGLES, scalar) readonly buffer Triangles { uvec4 triangle_texels[]; };

@@ -30,9 +30,9 @@ UseTraits traits_of(BufferUse use) {
     case BufferUse::uniform:
       return {"uniform buffer", Usage::eUniformBuffer, vk::Format::eUndefined, 0};
     case BufferUse::texels_rgba32ui:
-      return {"texel buffer", Usage::eUniformTexelBuffer, vk::Format::eR32G32B32A32Uint, 16};
+      return {"texel buffer", Usage::eStorageTexelBuffer, vk::Format::eR32G32B32A32Uint, 16};
     case BufferUse::texels_r32ui:
-      return {"texel buffer", Usage::eUniformTexelBuffer, vk::Format::eR32Uint, 4};
+      return {"texel buffer", Usage::eStorageTexelBuffer, vk::Format::eR32Uint, 4};
     case BufferUse::storage:
     case BufferUse::storage_host_visible:
       break;

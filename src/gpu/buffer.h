@@ -13,8 +13,8 @@ namespace vernier {
 enum class BufferUse {
   storage,              ///< read and written as a storage buffer, on the device
   uniform,              ///< a uniform buffer, on the device
-  texels_rgba32ui,      ///< read as a uniform texel buffer of uvec4, on the device
-  texels_r32ui,         ///< read as a uniform texel buffer of uint, on the device
+  texels_rgba32ui,      ///< read as a storage texel buffer of uvec4, on the device
+  texels_r32ui,         ///< read as a storage texel buffer of uint, on the device
   storage_host_visible  ///< a storage buffer the host maps and reads and writes between submissions (counters)
 };
 

@@ -11,7 +11,7 @@ vk::DescriptorType descriptor_type(BufferUse use) {
       return vk::DescriptorType::eUniformBuffer;
     case BufferUse::texels_rgba32ui:
     case BufferUse::texels_r32ui:
-      return vk::DescriptorType::eUniformTexelBuffer;
+      return vk::DescriptorType::eStorageTexelBuffer;
     case BufferUse::storage:
     case BufferUse::storage_host_visible:
       break;

@@ -11,7 +11,7 @@ namespace vernier {
 
 /// How shaders read the scene's arrays: two forms of one SPIR-V source (shaders/buffers.glsl).
 enum class SceneLoads {
-  texels,  ///< uniform texel buffers: 4 times faster on llvmpipe, and not bound by maxStorageBufferRange
+  texels,  ///< storage texel buffers: 4 times faster on llvmpipe, and not bound by maxStorageBufferRange
   storage  ///< storage buffers: everywhere else
 };
 
