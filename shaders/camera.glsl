@@ -2,6 +2,7 @@
 #ifndef VERNIER_CAMERA_GLSL
 #define VERNIER_CAMERA_GLSL
 
+#include "effect_runs.glsl"
 #include "ray.glsl"
 
 // The ray through (x, y) in pixels of the full image, (0, 0) its upper left corner. Its direction is unit.
@@ -15,6 +16,7 @@ Ray camera_ray(IN(vec2) pixel) {
   precise float ny = (height - 2.0f * pixel.y) / height;
   precise vec3 offset = constants.camera_right * nx + constants.camera_up * ny;
   if (effect_on(EFFECT_ORTHOGRAPHIC) && steering_constants().orthographic != 0u) {
+    note_run(EFFECT_ORTHOGRAPHIC);
     precise vec3 origin = constants.camera_origin + offset;
     return Ray(origin, constants.camera_forward);
   }

@@ -13,6 +13,7 @@
 vec3 reflected_light(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_viewer, IN(LightSample) light, IN(float) cosine) {
   vec3 reflected = terms.diffuse * (cosine / PI);
   if (effect_on(EFFECT_SPECULAR)) {
+    note_run(EFFECT_SPECULAR);
     float highlight = blinn_highlight(surface.normal, light.direction, to_viewer, terms.exponent);
     reflected += terms.specular * (highlight * (terms.cosine ? cosine : 1.0f));
   }
@@ -38,6 +39,7 @@ bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_vi
       sum += reflected;
     } else if (max3(reflected) > 0.0f) {
       found = true;
+      note_run(EFFECT_SHADOWS);
       vec3 origin = spawn_origin(surface, light.direction);
       // Towards a point light the ray ends at t = 1, at the light; the offset of its start is taken into account.
       visit.ray = Ray(origin, light.directional ? light.direction : light.offset + (surface.position - origin));

@@ -34,6 +34,7 @@ vec3 environment_radiance(IN(vec3) direction) {
   RenderConstants constants = render_constants();
   uint image = steering_constants().environment_texture;
   if (effect_on(EFFECT_ENVIRONMENT_MAP) && image != NONE) {
+    note_run(EFFECT_ENVIRONMENT_MAP);
     float around = angle_of(direction.x, -direction.z) * (0.5f * INVERSE_PI) + 0.5f;
     float horizontal = sqrt(direction.x * direction.x + direction.z * direction.z);
     float down = angle_of(horizontal, direction.y) * INVERSE_PI;

@@ -2,6 +2,7 @@
 #ifndef VERNIER_LIGHT_GLSL
 #define VERNIER_LIGHT_GLSL
 
+#include "effect_runs.glsl"
 #include "material.glsl"
 
 // A light as a surface point sees it.
@@ -31,6 +32,7 @@ DeviceLight fetch_light(IN(uint) index) {
 
 // `light` seen from `position` (units): with attenuation, cone and range. Black where the light is at the position itself.
 LightSample sample_light(IN(DeviceLight) light, IN(vec3) position) {
+  note_run(light.kind == LIGHT_DIRECTIONAL ? EFFECT_DIRECTIONAL_LIGHTS : EFFECT_POINT_LIGHTS);
   if (light.kind == LIGHT_DIRECTIONAL) return LightSample(-light.direction, light.intensity, -light.direction, true);
   vec3 offset = light.position - position;
   vec3 direction = unit_vector(offset);
@@ -40,6 +42,7 @@ LightSample sample_light(IN(DeviceLight) light, IN(vec3) position) {
   float relative = distance / light.range;
   irradiance *= clamp(1.0f - relative * relative * relative * relative, 0.0f, 1.0f);
   if (effect_on(EFFECT_SPOT_LIGHTS) && light.kind == LIGHT_SPOT) {
+    note_run(EFFECT_SPOT_LIGHTS);
     float cone = clamp((dot_product(light.direction, -direction) - light.cos_outer) * light.cone_scale, 0.0f, 1.0f);
     irradiance *= cone * cone;
   }

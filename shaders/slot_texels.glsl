@@ -41,6 +41,16 @@ SlotTexels no_slot_texels() {
   return SlotTexels(one, one, one, one, one, one, one, one, one, 0u, true);
 }
 
+// The effect that reads `slot`.
+uint effect_of_slot(IN(int) slot) {
+  if (slot == TEXTURE_SLOT_BASE_COLOR) return EFFECT_BASE_COLOR_TEXTURE;
+  if (slot == TEXTURE_SLOT_SURFACE) return EFFECT_SURFACE_TEXTURE;
+  if (slot == TEXTURE_SLOT_NORMAL) return EFFECT_NORMAL_TEXTURE;
+  if (slot == TEXTURE_SLOT_OCCLUSION) return EFFECT_OCCLUSION_TEXTURE;
+  if (slot == TEXTURE_SLOT_EMISSION) return EFFECT_EMISSION_TEXTURE;
+  return EFFECT_OTHER_TEXTURES;
+}
+
 void set_slot(INOUT(SlotTexels) texels, IN(int) slot, IN(vec4) texel) {
   texels.base_color = slot == TEXTURE_SLOT_BASE_COLOR ? texel : texels.base_color;
   texels.surface = slot == TEXTURE_SLOT_SURFACE ? texel : texels.surface;
@@ -62,6 +72,7 @@ SlotTexels fetch_slot_texels(IN(TrianglePoint) point, IN(DeviceMaterial) materia
   for (uint round = 0u; left != 0u && round < uint(TEXTURE_SLOT_COUNT); round++) {
     int slot = findLSB(left);
     left &= left - 1u;
+    note_run(effect_of_slot(slot));
     DeviceTextureUse use = fetch_texture_use(point.vertices.w, uint(slot));
     vec2 uv = interpolated_uv(point, use.uv_set);
     vec2 place = vec2(use.m00 * uv.x + use.m01 * uv.y + use.m02, use.m10 * uv.x + use.m11 * uv.y + use.m12);

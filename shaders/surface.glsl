@@ -18,6 +18,7 @@ struct SurfacePoint {
 vec3 interpolated_normal(IN(TrianglePoint) point, IN(vec3) geometric) {
   uint texel = steering_constants().normal_texel;
   if (!effect_on(EFFECT_SMOOTH_NORMALS) || texel == NONE) return geometric;
+  note_run(EFFECT_SMOOTH_NORMALS);
   vec3 n0 = first_three(vertex_attribute(point.vertices.x, texel));
   vec3 n1 = first_three(vertex_attribute(point.vertices.y, texel));
   vec3 n2 = first_three(vertex_attribute(point.vertices.z, texel));
@@ -59,6 +60,7 @@ vec3 bent_normal(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(SlotTe
   vec4 frame = tangent_frame(point, normal, texels.normal_uv_set);
   vec3 tangent = first_three(frame);
   if (tangent == vec3(0.0f)) return normal;
+  note_run(EFFECT_NORMAL_TEXTURE);
   vec3 bitangent = cross_product(normal, tangent) * frame.w;
   vec2 slope = (vec2(texels.normal.x, texels.normal.y) * 2.0f - 1.0f) * material.normal_scale;
   vec3 bent = unit_vector(tangent * slope.x + bitangent * slope.y + normal * (texels.normal.z * 2.0f - 1.0f));
@@ -85,6 +87,7 @@ SurfacePoint surface_point(IN(TrianglePoint) point, IN(DeviceMaterial) material,
 float surface_alpha(IN(DeviceMaterial) material, IN(SlotTexels) texels, IN(vec4) color) {
   uint mode = alpha_mode_of(material);
   if (mode == ALPHA_OPAQUE) return 1.0f;
+  note_run(mode == ALPHA_MASK ? EFFECT_ALPHA_MASK : EFFECT_ALPHA_BLEND);
   float textured = workflow_of(material) == WORKFLOW_BLINN ? texels.alpha.x : texels.base_color.w;
   float alpha = material.base_color.w * color.w * textured;
   if (mode == ALPHA_MASK) return alpha < material.alpha_cutoff ? 0.0f : 1.0f;

@@ -2,6 +2,7 @@
 #ifndef VERNIER_TEXTURE_GLSL
 #define VERNIER_TEXTURE_GLSL
 
+#include "effect_runs.glsl"
 #include "material.glsl"
 
 // Bring texel index i, at most one texture width outside, or of any size for repeat and mirror, into [0, size).
@@ -28,6 +29,7 @@ vec4 decoded_texel(IN(uvec4) texture_words, IN(int) x, IN(int) y) {
   uint format = texture_words.w & TEXTURE_FORMAT_MASK;
   uint index = uint(y) * texture_words.x + uint(x);
   if (effect_on(EFFECT_FLOAT_TEXTURES) && format == TEXTURE_FORMAT_FLOAT) {
+    note_run(EFFECT_FLOAT_TEXTURES);
     uint first = texture_words.z + 4u * index;
     return float_texel(uvec4(load_texel(first), load_texel(first + 1u), load_texel(first + 2u), load_texel(first + 3u)));
   }

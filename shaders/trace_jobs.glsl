@@ -43,6 +43,10 @@ bool go_on(IN(uint) place, INOUT(Path) path, IN(Found) found, INOUT(RayCounts) c
   Step result = step_of(path, found);
   if (!result.finished) return false;
   counts.shadow += result.asks_light ? 1u : 0u;
+  if (COUNT_EFFECTS) {
+    count_runs();
+    add_to_counter(COUNTER_SHADOW_RAYS + counted_depth(path.current.depth), result.asks_light ? 1u : 0u);
+  }
   path = result.path;
   path.cost.rays += result.asks_light ? 1u : 0u;
   path.cost.nodes += found.nodes;

@@ -3,6 +3,7 @@
 #ifndef VERNIER_TRACE_PATH_GLSL
 #define VERNIER_TRACE_PATH_GLSL
 
+#include "count_runs.glsl"
 #include "direct_light.glsl"
 #include "environment.glsl"
 #include "scatter_direction.glsl"
@@ -57,6 +58,7 @@ void scatter(IN(PathRay) parent, IN(SurfacePoint) surface, IN(DeviceMaterial) ma
   float cosine = clamp(dot_product(normal, to_viewer), 0.0f, 1.0f);
   vec3 reflected = terms.mirror + (terms.mirror_grazing - terms.mirror) * schlick_weight(cosine);
   if (effect_on(EFFECT_REFRACTION) && max3(terms.transmission) > 0.0f) {
+    note_run(EFFECT_REFRACTION);
     bool thin = has_flag(material, MATERIAL_THIN_WALLED);
     float eta = surface.front || thin ? material.ior : 1.0f / material.ior;
     Fresnel fresnel = fresnel_dielectric(cosine, eta);
@@ -68,6 +70,7 @@ void scatter(IN(PathRay) parent, IN(SurfacePoint) surface, IN(DeviceMaterial) ma
     children.refracted = child_ray(parent, surface, direction, kept_weight(weight * refracted), medium);
   }
   if (effect_on(EFFECT_REFLECTION)) {
+    note_run(EFFECT_REFLECTION);
     vec3 direction = mirrored_direction(to_viewer, normal, surface.geometric_normal);
     children.reflected = child_ray(parent, surface, direction, kept_weight(weight * reflected), parent.medium);
   }
@@ -89,7 +92,10 @@ void shade(INOUT(Step) result, IN(Hit) hit, IN(HitSurface) surface, IN(SlotTexel
   PathRay ray = result.path.current;
   bool first = result.path.phase == PHASE_HIT;
   vec3 weight = ray.weight;
-  if (effect_on(EFFECT_ABSORPTION) && ray.medium != NONE) weight *= exp(-fetch_absorption(ray.medium) * surface.point.t);
+  if (effect_on(EFFECT_ABSORPTION) && ray.medium != NONE) {
+    note_run(EFFECT_ABSORPTION);
+    weight *= exp(-fetch_absorption(ray.medium) * surface.point.t);
+  }
   if (rays_pass_hits() && surface.alpha < 1.0f) {
     // The same ray goes on behind the hit; the part of it in the medium is weighed when it ends.
     result.children.passed = PathRay(ray.origin, ray.direction, kept_weight(ray.weight * (1.0f - surface.alpha)), hit.t,
@@ -98,6 +104,7 @@ void shade(INOUT(Step) result, IN(Hit) hit, IN(HitSurface) surface, IN(SlotTexel
   weight *= surface.alpha;
   result.path.hit = result.path.hit || (surface.alpha > 0.0f && ray.depth == 0u);
   if (effect_on(EFFECT_UNLIT) && has_flag(surface.material, MATERIAL_UNLIT)) {
+    note_run(EFFECT_UNLIT);
     result.path.radiance += weight * surface.terms.base;
     result.ray_done = true;
     return;
@@ -106,7 +113,11 @@ void shade(INOUT(Step) result, IN(Hit) hit, IN(HitSurface) surface, IN(SlotTexel
   vec3 radiance = vec3(0.0f);
   if (first) {
     radiance = surface.terms.emission;
-    if (effect_on(EFFECT_AMBIENT)) radiance += surface.terms.ambient * ambient_radiance(at.normal);
+    if (max3(radiance) > 0.0f) note_run(EFFECT_EMISSION);
+    if (effect_on(EFFECT_AMBIENT)) {
+      note_run(EFFECT_AMBIENT);
+      radiance += surface.terms.ambient * ambient_radiance(at.normal);
+    }
     result.path.visit = no_visit();
     result.path.visit.hit = hit;
   }
@@ -150,6 +161,7 @@ Step step_of(IN(Path) path, IN(Found) found) {
   surface.alpha = rays_pass_hits() ? surface_alpha(surface.material, texels, color) : 1.0f;
   result.finished = found.finished && texels.finished;
   if (in_the_way) {
+    note_run(EFFECT_TINTED_SHADOWS);
     pass_surface(result.path.visit, hit, surface);
     result.path.phase = max3(result.path.visit.value) > 0.0f ? PHASE_SHADOW : PHASE_LIGHT;
   } else {
@@ -166,6 +178,10 @@ bool next_ray(IN(uint) place, INOUT(Path) path, IN(Children) children, INOUT(Ray
   path.phase = PHASE_HIT;
   counts.reflection += reflected ? 1u : 0u;
   counts.refraction += refracted ? 1u : 0u;
+  if (COUNT_EFFECTS) {
+    uint begun = (reflected ? 1u : 0u) + (refracted ? 1u : 0u);
+    add_to_counter(COUNTER_PATH_RAYS + counted_depth(path.current.depth + 1u), begun);
+  }
   // The deepest ray goes first and what passes waits lowest: so at most two rays wait per depth.
   if (passed && (reflected || refracted)) push_ray(place, path, counts, children.passed);
   if (reflected && refracted) push_ray(place, path, counts, children.reflected);
@@ -176,7 +192,7 @@ bool next_ray(IN(uint) place, INOUT(Path) path, IN(Children) children, INOUT(Ray
   } else if (passed) {
     path.current = children.passed;
   } else {
-    if (path.waiting == 0u) return false;
+    if (PATH_STACK_SIZE == 0u || path.waiting == 0u) return false;
     path.current = pop_ray(place, path);
   }
   return true;

@@ -33,6 +33,7 @@ void pass_surface(INOUT(LightVisit) visit, IN(Hit) hit, IN(HitSurface) surface) 
   visit.value *= surface_transmittance(surface, min(abs(along), 1.0f));
   if (effect_on(EFFECT_ABSORPTION) && is_transmissive(surface.material) && !has_flag(surface.material, MATERIAL_THIN_WALLED) &&
       surface.alpha > 0.0f) {
+    note_run(EFFECT_ABSORPTION);
     visit.optical_depth += surface.material.absorption * (along > 0.0f ? hit.t * length_of_t : -hit.t * length_of_t);
   }
   visit.t_min = hit.t;

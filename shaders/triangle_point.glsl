@@ -2,6 +2,7 @@
 #ifndef VERNIER_TRIANGLE_POINT_GLSL
 #define VERNIER_TRIANGLE_POINT_GLSL
 
+#include "effect_runs.glsl"
 #include "exact_crossing.glsl"
 #include "intersect_triangle.glsl"
 #include "material.glsl"
@@ -95,6 +96,7 @@ vec2 interpolated_uv(IN(TrianglePoint) point, IN(uint) set) {
 vec4 vertex_color(IN(TrianglePoint) point) {
   uint texel = steering_constants().color_texel;
   if (!effect_on(EFFECT_VERTEX_COLORS) || texel == NONE) return vec4(1.0f);
+  note_run(EFFECT_VERTEX_COLORS);
   return interpolated(point, texel);
 }
 

@@ -42,6 +42,13 @@
 #define COUNTER_NEXT_JOB 7u         // the first job that nobody has taken yet; kept from dispatch to dispatch
 #define COUNTER_COUNT 8u
 
+// With COUNT_EFFECTS the counters go on.
+#define COUNTER_EFFECT_RUNS 8u      // searches in which an effect ran, by its bit
+#define COUNTER_PATH_RAYS 40u       // reflected and refracted rays begun, by depth
+#define COUNTER_SHADOW_RAYS 72u     // shadow rays begun, by the depth of the hit they leave
+#define COUNTED_DEPTHS 32u          // the last counts all that are deeper
+#define COUNTER_COUNT_WITH_RUNS 104u
+
 // Jobs count the pixels of a tile in blocks of so many squared: neighbours in both directions come one after the other.
 #define JOB_BLOCK_SIDE 8u
 

@@ -10,6 +10,7 @@
 #define SPECIALIZATION_LEVELS 5           // numeric level of each spot, shared/accuracy.h
 #define SPECIALIZATION_MUTATION 6         // MUTATION_*: a seeded fault
 #define SPECIALIZATION_FUNCTION 7         // verify_*.comp: which function is called
+#define SPECIALIZATION_COUNT_EFFECTS 8    // count how often each effect runs, and rays by depth
 
 // Entries that the shifted stack has at most (traversal_stack.glsl).
 #define SHIFT_STACK_MAX_SIZE 24u

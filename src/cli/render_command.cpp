@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "cli/commands.h"
+#include "cli/cost_legend.h"
 #include "cli/exposure_hint.h"
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
@@ -17,6 +18,7 @@
 #include "error.h"
 #include "image/whole_file.h"
 #include "image/write_image.h"
+#include "render/pipeline_file.h"
 #include "render/render_image.h"
 
 namespace vernier {
@@ -40,6 +42,8 @@ void print_summary(const RenderPlan& plan, const RenderReport& report, const Ima
     std::fputs(verbose_text(report).c_str(), stderr);
   }
   std::fprintf(stderr, "%s\n", summary_line(report, plan.output).c_str());
+  const std::string legend = cost_legend(image);
+  if (!legend.empty()) std::fprintf(stderr, "%s\n", legend.c_str());
   const std::string hint = exposure_hint(image, plan.display.exposure_ev);
   if (!hint.empty()) {
     std::fprintf(stderr, "%s\n", hint.c_str());
@@ -64,16 +68,18 @@ int run_render(const RenderPlan& plan) {
   const SceneSetup setup = set_up_scene(plan.scene, aspect);
   print_warnings(setup.scene.warnings);
   const VulkanInstance instance;
-  const Device device(instance, choose_device(list_devices(instance), plan.device));
-  RenderResult result = render_with_progress(device, setup, plan);
+  const DeviceDescription description = choose_device(list_devices(instance), plan.device);
+  const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
+  RenderResult result = render_with_progress(device.device(), setup, plan);
   print_warnings(result.statistics.warnings);
 
-  const DeviceDescription& description = device.description();
-  RenderReport report{setup.scene.source,           description,   plan.settings,
-                      std::move(result.statistics), setup.load_ms, setup.scene.warnings};
+  RenderReport report{setup.scene.source, description,          plan.settings, std::move(result.statistics),
+                      setup.load_ms,      setup.scene.warnings, device.store()};
   report.warnings.insert(report.warnings.end(), report.statistics.warnings.begin(), report.statistics.warnings.end());
   const RecipeMaker maker{description.name, description.driver, report.statistics.spirv_hash};
   result.image.metadata.merge(render_recipe(plan.scene_arguments, setup.scene.files, plan.render_arguments, maker));
+  const std::string legend = cost_legend(result.image);
+  if (!legend.empty()) result.image.metadata["vernier:cost_legend"] = legend;
   write_image(plan.output, result.image, plan.display);
   if (!plan.json_file.empty()) {
     write_text(plan.json_file, render_json(report).dump(2) + "\n");

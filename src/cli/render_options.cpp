@@ -120,6 +120,8 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
                  "(default: robust)")
       ->type_name("LEVEL");
   add_effects_option(app, arguments.effects);
+  // For tests: not in the help, and a pipeline of its own that is slower.
+  app.add_flag("--count-effects", arguments.count_effects, "adds effect_runs and rays_by_depth to --json")->group("");
   app.add_option("--tile", arguments.tile, "pixels of a submission; never changes a bit of the image (default: chosen)")
       ->type_name("WxH");
   app.add_option("--dispatch-ms", arguments.dispatch_ms,
@@ -153,6 +155,7 @@ RenderSettings parse_render_settings(const RenderArguments& arguments) {
   settings.accuracy = parse_accuracy(arguments.accuracy);
   choose_effects(no_effects(), arguments.effects);  // refuses unknown names before any work is done
   settings.effects = arguments.effects;
+  settings.count_effects = arguments.count_effects;
   settings.aovs = parse_aovs(arguments.aov);
   parse_limits(arguments, settings);
   return settings;

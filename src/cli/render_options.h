@@ -21,6 +21,7 @@ struct RenderArguments {
   std::string dispatch_ms = "100";
   std::string time_limit;
   std::string aov;
+  bool count_effects = false;
   std::string seed = "0";
 };
 

@@ -2,6 +2,7 @@
 
 #include <sys/resource.h>
 
+#include <bit>
 #include <cstdio>
 
 #include "cli/effect_table.h"
@@ -24,6 +25,18 @@ nlohmann::ordered_json effects_by_name(const EffectSet& effects) {
     by_name[effect.name] = effect.on;
   }
   return by_name;
+}
+
+nlohmann::ordered_json pipelines_json(const std::vector<PipelineTime>& pipelines) {
+  nlohmann::ordered_json by_name = nlohmann::ordered_json::object();
+  for (const PipelineTime& pipeline : pipelines) by_name[pipeline.name] = pipeline.compile_ms;
+  return by_name;
+}
+
+nlohmann::ordered_json saved_json(const SavedMemory& saved) {
+  return {{"path_stack_bytes", saved.path_stack_bytes},
+          {"sample_cost_bytes", saved.sample_cost_bytes},
+          {"aov_bytes", saved.aov_bytes}};
 }
 
 nlohmann::ordered_json bvh_json(const RenderStatistics& statistics) {
@@ -55,8 +68,41 @@ void add_work(nlohmann::ordered_json& json, const RenderReport& report) {
   json["pack_ms"] = statistics.pack_ms;
   json["upload_ms"] = statistics.upload_ms;
   json["compile_ms"] = statistics.compile_ms;
+  json["pipelines"] = pipelines_json(statistics.pipelines);
   json["trace_device_ms"] = statistics.trace_device_ms;
   json["trace_wall_ms"] = statistics.trace_wall_ms;
+}
+
+/// Only with --count-effects.
+void add_effect_runs(nlohmann::ordered_json& json, const RenderStatistics& statistics) {
+  const EffectRuns& runs = statistics.effect_runs;
+  if (runs.searches.empty()) return;
+  for (const EffectReason& effect : statistics.effects.reasons) {
+    json["effect_runs"][effect.name] = runs.searches[static_cast<std::size_t>(std::countr_zero(effect.bit))];
+  }
+  json["rays_by_depth"] = nlohmann::ordered_json::array();
+  for (const DepthRays& rays : runs.by_depth) {
+    if (rays.path == 0 && rays.shadow == 0) break;
+    json["rays_by_depth"].push_back({{"path", rays.path}, {"shadow", rays.shadow}});
+  }
+}
+
+/// What each pipeline took, what came of their file, and what was not allocated.
+std::string pipeline_text(const RenderReport& report) {
+  constexpr double kMebibyte = 1024.0 * 1024.0;
+  const SavedMemory& saved = report.statistics.saved;
+  std::string text = "pipelines:";
+  char part[160];
+  for (const PipelineTime& pipeline : report.statistics.pipelines) {
+    std::snprintf(part, sizeof part, " %s %.1f ms,", pipeline.name.c_str(), pipeline.compile_ms);
+    text += part;
+  }
+  text += " " + report.pipeline_note + "\n";
+  std::snprintf(part, sizeof part, "not allocated: path stack %.2f MiB, sample costs %.2f MiB, AOVs %.2f MiB\n",
+                static_cast<double>(saved.path_stack_bytes) / kMebibyte,
+                static_cast<double>(saved.sample_cost_bytes) / kMebibyte,
+                static_cast<double>(saved.aov_bytes) / kMebibyte);
+  return text + part;
 }
 
 void add_outcome(nlohmann::ordered_json& json, const RenderReport& report) {
@@ -73,6 +119,7 @@ void add_outcome(nlohmann::ordered_json& json, const RenderReport& report) {
   json["stack_overflows"] = statistics.stack_overflows;
   json["error_estimate"] = nullptr;  // only known with an error target
   json["peak_memory"] = {{"host_bytes", peak_host_bytes()}, {"device_bytes", statistics.device_bytes}};
+  json["saved_memory"] = saved_json(statistics.saved);
   json["warnings"] = report.warnings;
 }
 
@@ -94,6 +141,7 @@ nlohmann::ordered_json render_json(const RenderReport& report) {
   add_input(json, report);
   add_work(json, report);
   add_outcome(json, report);
+  add_effect_runs(json, report.statistics);
   return json;
 }
 
@@ -123,7 +171,7 @@ std::string verbose_text(const RenderReport& report) {
       report.load_ms, statistics.bvh_build_ms, statistics.pack_ms, statistics.upload_ms, statistics.compile_ms,
       statistics.trace_wall_ms, statistics.trace_device_ms);
   return "device " + report.device.name + ", " + report.device.driver + "\n" + std::to_string(statistics.triangles) +
-         " triangles, " + std::to_string(statistics.bvh_nodes) + " BVH nodes\n" + text +
+         " triangles, " + std::to_string(statistics.bvh_nodes) + " BVH nodes\n" + text + pipeline_text(report) +
          effect_table(statistics.effects);
 }
 

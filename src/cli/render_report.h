@@ -17,6 +17,7 @@ struct RenderReport {
   RenderStatistics statistics;
   double load_ms = 0.0;
   std::vector<std::string> warnings;  ///< of the scene and of the render
+  std::string pipeline_note;          ///< what came of the file of compiled pipelines
 };
 
 /// Rays of all kinds.
@@ -36,7 +37,8 @@ std::string summary_line(const RenderReport& report, const std::string& file);
 /// 12,34, sample 5". At least one is.
 std::string non_finite_text(const RenderStatistics& statistics);
 
-/// The lines --verbose adds: device, effects with reasons, sizes and times.
+/// The lines --verbose adds: device, effects with reasons, sizes, times, pipelines and the memory that effects which
+/// are off did not take.
 std::string verbose_text(const RenderReport& report);
 
 }  // namespace vernier

@@ -8,6 +8,7 @@
 #include "cli/scene_setup.h"
 #include "error.h"
 #include "image/whole_file.h"
+#include "render/pipeline_file.h"
 #include "verify/mutations.h"
 #include "verify/verify_report.h"
 
@@ -134,12 +135,13 @@ int run_verify(const VerifyArguments& arguments) {
   check_text_output(arguments.json_file);
   const VulkanInstance instance;
   const DeviceDescription description = choose_device(list_devices(instance), arguments.device);
-  const Device device(instance, description);
-  setup.device = &device;
-  const DeviceReport report{description, probe_device(device), ""};
+  const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
+  setup.device = &device.device();
+  const DeviceReport report{description, probe_device(device.device()), ""};
   say(describe_devices({&report, 1}) + "\n");
   const bool good =
       faults.empty() ? run_suite(arguments, setup, report, cases) : run_mutations(arguments, setup, report, faults);
+  device.store();
   return good ? 0 : static_cast<int>(ErrorKind::failed);
 }
 

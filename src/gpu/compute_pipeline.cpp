@@ -56,7 +56,8 @@ ComputePipeline::ComputePipeline(const Device& device, std::span<const std::uint
     const vk::SpecializationInfo special(static_cast<std::uint32_t>(entries.size()), entries.data(),
                                          values.size() * sizeof(std::uint32_t), values.data());
     const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main", &special);
-    pipeline_ = device.vk().createComputePipeline(nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout_));
+    pipeline_ =
+        device.vk().createComputePipeline(device.pipeline_cache(), vk::ComputePipelineCreateInfo({}, stage, *layout_));
   });
   compile_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }

@@ -1,5 +1,7 @@
 #include "gpu/device.h"
 
+#include <array>
+#include <cstdio>
 #include <optional>
 
 #include "error.h"
@@ -33,6 +35,19 @@ const char* kind_name(vk::PhysicalDeviceType type) {
 std::string version_text(std::uint32_t version) {
   return std::to_string(VK_API_VERSION_MAJOR(version)) + "." + std::to_string(VK_API_VERSION_MINOR(version)) + "." +
          std::to_string(VK_API_VERSION_PATCH(version));
+}
+
+std::string hexadecimal(std::uint64_t number, int digits) {
+  std::array<char, 17> text{};
+  std::snprintf(text.data(), text.size(), "%0*llx", digits, static_cast<unsigned long long>(number));
+  return text.data();
+}
+
+std::string pipeline_key(const vk::PhysicalDeviceProperties& properties) {
+  std::string key = hexadecimal(properties.vendorID, 8) + "-" + hexadecimal(properties.deviceID, 8) + "-" +
+                    hexadecimal(properties.driverVersion, 8) + "-";
+  for (const std::uint8_t byte : properties.pipelineCacheUUID) key += hexadecimal(byte, 2);
+  return key;
 }
 
 void describe_limits(const vk::PhysicalDeviceLimits& limits, DeviceDescription& out) {
@@ -77,6 +92,7 @@ DeviceDescription describe(const vk::raii::PhysicalDevice& physical, int index) 
   out.kind = kind_name(properties.deviceType);
   out.is_cpu = properties.deviceType == vk::PhysicalDeviceType::eCpu;
   out.api_version = version_text(properties.apiVersion);
+  out.pipeline_key = pipeline_key(properties);
   describe_limits(properties.limits, out);
   describe_memory(physical.getMemoryProperties(), out);
   if (properties.apiVersion < VK_API_VERSION_1_2) {
@@ -109,7 +125,9 @@ std::vector<DeviceDescription> list_devices(const VulkanInstance& instance) {
   return out;
 }
 
-Device::Device(const VulkanInstance& instance, const DeviceDescription& description) : description_(description) {
+Device::Device(const VulkanInstance& instance, const DeviceDescription& description,
+               std::span<const std::byte> compiled_pipelines)
+    : description_(description) {
   if (!description.usable) {
     throw Error(ErrorKind::no_device, "device " + std::to_string(description.index) + " (" + description.name +
                                           ") is not usable: " + description.unusable_reason);
@@ -130,6 +148,16 @@ Device::Device(const VulkanInstance& instance, const DeviceDescription& descript
     create.pNext = &features;
     device_ = vk::raii::Device(physical_, create);
     queue_ = vk::raii::Queue(device_, queue_family_, 0);
+    const vk::PipelineCacheCreateInfo cache({}, compiled_pipelines.size(), compiled_pipelines.data());
+    pipeline_cache_ = vk::raii::PipelineCache(device_, cache);
+  });
+}
+
+std::vector<std::byte> Device::compiled_pipelines() const {
+  return vk_check("reading compiled pipelines", [&] {
+    const std::vector<std::uint8_t> bytes = pipeline_cache_.getData();
+    const std::span<const std::byte> view = std::as_bytes(std::span(bytes));
+    return std::vector<std::byte>(view.begin(), view.end());
   });
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
@@ -16,7 +18,9 @@ struct DeviceDescription {
   std::string kind;         ///< discrete GPU, integrated GPU, virtual GPU, CPU, other
   std::string driver;       ///< driver name and its own version text
   std::string api_version;  ///< 1.3.230
-  bool usable = false;      ///< Vulkan 1.2, scalar block layout, a compute queue
+  std::string
+      pipeline_key;     ///< hexadecimal: what compiled pipelines are bound to: vendor, device, driver version, UUID
+  bool usable = false;  ///< Vulkan 1.2, scalar block layout, a compute queue
   std::string unusable_reason;
   bool is_cpu = false;
   bool float64 = false;
@@ -44,14 +48,20 @@ DeviceDescription choose_device(const std::vector<DeviceDescription>& devices, c
 /// An opened device with one compute queue. Features asked for: scalar block layout only (float64 where `float64`).
 class Device {
  public:
-  /// Opens `description`, which list_devices(instance) gave. `instance` outlives the device.
-  Device(const VulkanInstance& instance, const DeviceDescription& description);
+  /// Opens `description`, which list_devices(instance) gave. `instance` outlives the device. `compiled_pipelines`: what
+  /// a device of the same pipeline_key gave before; a driver that does not want it compiles anew.
+  Device(const VulkanInstance& instance, const DeviceDescription& description,
+         std::span<const std::byte> compiled_pipelines = {});
 
   const DeviceDescription& description() const { return description_; }
   const vk::raii::PhysicalDevice& physical() const { return physical_; }
   const vk::raii::Device& vk() const { return device_; }
   const vk::raii::Queue& queue() const { return queue_; }
   std::uint32_t queue_family() const { return queue_family_; }
+  /// Where pipelines are looked up before they are compiled, and put.
+  const vk::raii::PipelineCache& pipeline_cache() const { return pipeline_cache_; }
+  /// All pipelines compiled so far, those the device was opened with among them, as the driver writes them.
+  std::vector<std::byte> compiled_pipelines() const;
 
  private:
   DeviceDescription description_;
@@ -59,6 +69,7 @@ class Device {
   vk::raii::Device device_{nullptr};
   std::uint32_t queue_family_ = 0;
   vk::raii::Queue queue_{nullptr};
+  vk::raii::PipelineCache pipeline_cache_{nullptr};
 };
 
 /// Runs `call` and turns a Vulkan failure into an Error that says `what` was being done: device loss becomes

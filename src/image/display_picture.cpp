@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 
+#include "image/cost_picture.h"
 #include "image/srgb_curve.h"
 
 namespace vernier {
@@ -62,6 +63,7 @@ ShownChannels shown_channels(const Layer& layer, LayerMeaning meaning) {
     case LayerMeaning::id:
       return indices_of({"ID"});
     case LayerMeaning::depth:
+    case LayerMeaning::cost:
     case LayerMeaning::amount:
       break;
   }
@@ -115,6 +117,7 @@ Rgb code_of(LayerMeaning meaning, const Rgb& rgb, const Ranges& ranges, double g
       return for_each(rgb, [&](double v, std::size_t) { return v - std::floor(v); });
     case LayerMeaning::id:
       return color_of_id(rgb[0]);
+    case LayerMeaning::cost:  // not by this way: cost_picture
     case LayerMeaning::amount:
       return for_each(rgb, [&](double v, std::size_t c) { return v > 0.0 ? v / ranges[c].high : 0.0; });
   }
@@ -153,11 +156,13 @@ LayerMeaning layer_meaning(const Layer& layer) {
   if (layer.channels.size() == 1 && layer.channels[0] == "Z") return LayerMeaning::depth;
   if (has_channels(layer, {"U", "V"})) return LayerMeaning::uv;
   if (has_channels(layer, {"ID"})) return LayerMeaning::id;
+  if (has_channels(layer, {"rays", "nodes", "triangles"})) return LayerMeaning::cost;
   return LayerMeaning::amount;
 }
 
 Image display_picture(const Layer& layer, int width, int height, const DisplayTransform& display) {
   const LayerMeaning meaning = layer_meaning(layer);
+  if (meaning == LayerMeaning::cost) return cost_picture(layer, width, height);
   const ShownChannels shown = shown_channels(layer, meaning);
   const Ranges ranges = finite_ranges(shown, static_cast<std::size_t>(width) * height);
   const double gain = layer.name.empty() ? std::exp2(static_cast<double>(display.exposure_ev)) : 1.0;
@@ -167,7 +172,8 @@ Image display_picture(const Layer& layer, int width, int height, const DisplayTr
 
 Image unsigned_picture(const Layer& layer, int width, int height) {
   const LayerMeaning meaning = layer_meaning(layer);
-  if (meaning != LayerMeaning::color && meaning != LayerMeaning::depth && meaning != LayerMeaning::amount)
+  if (meaning != LayerMeaning::color && meaning != LayerMeaning::depth && meaning != LayerMeaning::cost &&
+      meaning != LayerMeaning::amount)
     return display_picture(layer, width, height, DisplayTransform{});
   const double largest = std::numeric_limits<float>::max();
   return picture(

@@ -8,7 +8,9 @@
 #include "render/film.h"
 #include "render/gpu_scene.h"
 #include "render/pack_scene.h"
+#include "render/trace_aovs.h"
 #include "render/trace_film.h"
+#include "shared/film_layout.h"
 
 namespace vernier {
 namespace {
@@ -80,7 +82,11 @@ void describe_trace(const TraceStatistics& trace, RenderStatistics& statistics) 
   statistics.stack_overflows = trace.stack_overflows;
   statistics.trace_device_ms = trace.device_ms;
   statistics.trace_wall_ms = trace.wall_ms;
-  statistics.compile_ms += trace.compile_ms;
+  statistics.pipelines.insert(statistics.pipelines.end(), trace.pipelines.begin(), trace.pipelines.end());
+  for (const PipelineTime& pipeline : statistics.pipelines) statistics.compile_ms += pipeline.compile_ms;
+  statistics.effect_runs = trace.effect_runs;
+  statistics.saved.path_stack_bytes = trace.saved.path_stack_bytes;
+  statistics.saved.sample_cost_bytes = trace.saved.sample_cost_bytes;
   statistics.device_bytes += trace.device_bytes;
   if (trace.stack_overflows > 0) {
     statistics.warnings.push_back(std::to_string(trace.stack_overflows) +
@@ -140,12 +146,17 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   TraceSpecialization specialization = specialize(statistics.effects.bits, packed.bvh.depth, settings.max_bounces,
                                                   wants(settings, "cost"), device.description());
   specialization.levels = levels_of(settings.accuracy);
+  specialization.count_effects = settings.count_effects;
   statistics.spirv_hash = trace_spirv_hash(loads);
   packed = {};  // the device has it now
 
   Film film(device, area, wants_geometry(settings));
   statistics.device_bytes += film.size_bytes();
-  if (wants_geometry(settings)) statistics.compile_ms += trace_aovs(device, gpu_scene, loads, specialization, film);
+  if (wants_geometry(settings)) {
+    statistics.pipelines = {trace_aovs(device, gpu_scene, loads, specialization, film)};
+  } else {
+    statistics.saved.aov_bytes = std::uint64_t{AOV_WORDS} * 4 * static_cast<std::uint64_t>(area.width) * area.height;
+  }
   describe_trace(FilmTracer(device, gpu_scene, loads, specialization, settings, film).trace(callbacks), statistics);
   return read_film(device, film, settings, std::move(statistics));
 }

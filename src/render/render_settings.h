@@ -42,6 +42,7 @@ struct RenderSettings {
   double dispatch_ms = 100.0;       ///< time budget of one submission
   double time_limit_s = std::numeric_limits<double>::infinity();
   std::uint32_t seed = 0;
+  bool count_effects = false;     ///< counts how often each effect runs: slower, never changes a bit
   std::vector<std::string> aovs;  ///< names of cli.md's --aov
 };
 

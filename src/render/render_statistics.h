@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "effects/effect_set.h"
+#include "render/effect_runs.h"
 
 namespace vernier {
 
@@ -23,6 +24,19 @@ struct SamplePlace {
   std::uint32_t sample = 0;
 };
 
+/// What it took to make a pipeline ready.
+struct PipelineTime {
+  std::string name;
+  double compile_ms = 0.0;
+};
+
+/// Device memory that a pipeline with every effect, all AOVs and the cost would have taken beyond what was allocated.
+struct SavedMemory {
+  std::uint64_t path_stack_bytes = 0;   ///< places of rays that cannot wait
+  std::uint64_t sample_cost_bytes = 0;  ///< nodes and triangles of samples in flight
+  std::uint64_t aov_bytes = 0;          ///< first-hit layers
+};
+
 /// What a render did and what it took. Times in milliseconds.
 struct RenderStatistics {
   EffectSet effects;  ///< as used
@@ -37,7 +51,8 @@ struct RenderStatistics {
   double bvh_build_ms = 0.0;
   double pack_ms = 0.0;  ///< baking instances and packing arrays, without the BVH
   double upload_ms = 0.0;
-  double compile_ms = 0.0;       ///< shader pipelines
+  double compile_ms = 0.0;  ///< shader pipelines, all of them
+  std::vector<PipelineTime> pipelines;
   double trace_device_ms = 0.0;  ///< by timestamps
   double trace_wall_ms = 0.0;
   RayCounts rays;
@@ -46,6 +61,8 @@ struct RenderStatistics {
   std::uint64_t stack_overflows = 0;
   std::uint32_t samples_done = 0;  ///< samples every pixel has got
   std::uint64_t device_bytes = 0;
+  SavedMemory saved;
+  EffectRuns effect_runs;  ///< only with RenderSettings::count_effects
   std::string spirv_hash;
   std::vector<std::string> warnings;
 };

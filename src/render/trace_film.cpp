@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "error.h"
+#include "render/tile_dispatch.h"
 #include "render/tile_schedule.h"
 #include "shared/bindings.h"
 #include "shared/film_layout.h"
@@ -17,9 +18,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-/// Pixels of a tile's side: its samples stay in the caches of a CPU and fill a GPU.
-constexpr int kTile = 256;
-constexpr int kBlock = JOB_BLOCK_SIDE;
 /// Samples of a pass of a tile wait in a buffer of at most that size.
 constexpr std::uint64_t kSampleBytes = 64u << 20;
 /// Invocations per dispatch, in workgroups of kWorkgroup. They take jobs until none is left, so a CPU needs no more
@@ -31,17 +29,13 @@ constexpr std::uint32_t kWorkgroup = 64;
 constexpr double kFirstMsPerSearch = 1e-3;
 constexpr std::uint32_t kTrustedSearches = 1024;
 
-std::uint32_t blocks_of(int pixels) {
-  return static_cast<std::uint32_t>((pixels + kBlock - 1) / kBlock);
-}
-
 /// Jobs of a tile per sample: incomplete blocks count as whole ones (shaders/job.glsl).
 std::uint64_t jobs_per_sample(glm::ivec2 tile) {
-  return std::uint64_t{blocks_of(tile.x)} * blocks_of(tile.y) * kBlock * kBlock;
+  return std::uint64_t{blocks_of(tile.x)} * blocks_of(tile.y) * JOB_BLOCK_SIDE * JOB_BLOCK_SIDE;
 }
 
-std::uint64_t bytes_per_sample(const TraceSpecialization& specialization) {
-  return SAMPLE_BLOCKS(specialization.count_cost) * 16;
+std::uint64_t bytes_per_sample(bool count_cost) {
+  return SAMPLE_BLOCKS(count_cost) * 16;
 }
 
 /// What the settings ask for, but no larger than the image, and small enough for one sample of each of its pixels.
@@ -56,41 +50,18 @@ std::uint32_t most_samples(glm::ivec2 tile, std::uint64_t sample_bytes) {
   return static_cast<std::uint32_t>(kSampleBytes / (jobs_per_sample(tile) * sample_bytes));
 }
 
+/// Size of the buffer for a pass of a tile.
+std::uint64_t pass_bytes(const RenderSettings& settings, glm::ivec2 tile, std::uint64_t sample_bytes) {
+  return jobs_per_sample(tile) * sample_bytes *
+         std::min({most_samples(tile, sample_bytes), kMostSamplesPerPass, settings.sample_end - settings.sample_begin});
+}
+
+std::uint64_t path_bytes(std::uint32_t invocations, std::uint32_t path_stack) {
+  return std::uint64_t{invocations} * PATH_BLOCKS(path_stack) * 16;
+}
+
 std::uint32_t invocation_count(const DeviceDescription& device) {
   return device.is_cpu ? kCpuInvocationsPerThread * std::max(std::thread::hardware_concurrency(), 1u) : kGpuInvocations;
-}
-
-DispatchConstants tile_constants(const GpuScene& scene, const PixelRect& tile, const PixelRect& area,
-                                 const Film::Band& band) {
-  DispatchConstants constants{};
-  constants.tile_x = static_cast<std::uint32_t>(tile.x);
-  constants.tile_y = static_cast<std::uint32_t>(tile.y);
-  constants.tile_width = static_cast<std::uint32_t>(tile.width);
-  constants.tile_height = static_cast<std::uint32_t>(tile.height);
-  constants.band_x = static_cast<std::uint32_t>(area.x);
-  constants.band_y = static_cast<std::uint32_t>(area.y + band.first_row);
-  constants.band_width = static_cast<std::uint32_t>(area.width);
-  constants.steering = scene.steering();
-  return constants;
-}
-
-/// One invocation per pixel of `tile`.
-Dispatch tile_dispatch(const ComputePipeline& pipeline, const BindingSet& bindings, const PixelRect& tile) {
-  return {.pipeline = &pipeline,
-          .bindings = &bindings,
-          .push_constants = {},
-          .group_count_x = blocks_of(tile.width),
-          .group_count_y = blocks_of(tile.height),
-          .group_count_z = 1};
-}
-
-/// A buffer for what changes from dispatch to dispatch (render_constants.h says why not push constants).
-Buffer dispatch_buffer(const Device& device) {
-  return Buffer(device, sizeof(DispatchConstants), BufferUse::storage_host_visible);
-}
-
-void set_dispatch(Buffer& buffer, const DispatchConstants& constants) {
-  std::memcpy(buffer.mapped().data(), &constants, sizeof(constants));
 }
 
 std::uint64_t total(const RayCounts& rays) {
@@ -113,17 +84,15 @@ class Tracer {
          const RenderSettings& settings, Film& film)
       : scene_(scene),
         submitter_(device),
-        tile_(chosen_tile(settings, film.area(), bytes_per_sample(specialization))),
-        most_samples_(most_samples(tile_, bytes_per_sample(specialization))),
+        tile_(chosen_tile(settings, film.area(), bytes_per_sample(specialization.count_cost))),
+        most_samples_(most_samples(tile_, bytes_per_sample(specialization.count_cost))),
         wanted_ms_(settings.dispatch_ms),
         invocations_(invocation_count(device.description())),
         film_(film),
-        counters_(device, COUNTER_COUNT * 4, BufferUse::storage_host_visible),
-        paths_(device, std::uint64_t{invocations_} * PATH_BLOCKS(specialization.path_stack) * 16, BufferUse::storage),
-        samples_(device,
-                 jobs_per_sample(tile_) * bytes_per_sample(specialization) *
-                     std::min({most_samples_, kMostSamplesPerPass, settings.sample_end - settings.sample_begin}),
-                 BufferUse::storage),
+        counters_(device, (specialization.count_effects ? COUNTER_COUNT_WITH_RUNS : COUNTER_COUNT) * 4,
+                  BufferUse::storage_host_visible),
+        paths_(device, path_bytes(invocations_, specialization.path_stack), BufferUse::storage),
+        samples_(device, pass_bytes(settings, tile_, bytes_per_sample(specialization.count_cost)), BufferUse::storage),
         unused_(device, 0, BufferUse::storage),
         dispatch_(dispatch_buffer(device)) {
     std::vector<Binding> bindings = scene.bindings();
@@ -145,8 +114,10 @@ class Tracer {
       }
       accumulate_bindings_.emplace_back(device, accumulate_, own);
     }
-    statistics_.compile_ms = trace_.compile_ms() + accumulate_.compile_ms() + warm_up();
+    statistics_.pipelines = {
+        {"trace", trace_.compile_ms()}, {"accumulate", accumulate_.compile_ms()}, {"first dispatch", warm_up()}};
     statistics_.device_bytes = counters_.size_bytes() + paths_.size_bytes() + samples_.size_bytes();
+    note_saved(settings);
   }
 
   std::vector<PixelRect> tiles() const { return schedule_tiles(film_.area(), tile_, film_.band_height()); }
@@ -180,6 +151,15 @@ class Tracer {
   const TraceStatistics& statistics() const { return statistics_; }
 
  private:
+  /// What the pipeline with every effect and the cost would have taken beyond this one's buffers.
+  void note_saved(const RenderSettings& settings) {
+    const std::uint32_t full_stack = waiting_rays(~0u, settings.max_bounces);
+    const std::uint64_t with_cost = bytes_per_sample(true);
+    const std::uint64_t full_pass = pass_bytes(settings, chosen_tile(settings, film_.area(), with_cost), with_cost);
+    statistics_.saved.path_stack_bytes = path_bytes(invocations_, full_stack) - paths_.size_bytes();
+    statistics_.saved.sample_cost_bytes = full_pass - std::min(full_pass, samples_.size_bytes());
+  }
+
   /// Dispatches both kernels on no job: llvmpipe compiles at the first dispatch, for up to a second. Returns the time.
   double warm_up() {
     const PixelRect nothing{film_.area().x, film_.area().y, 0, 0};
@@ -195,6 +175,7 @@ class Tracer {
   void trace(std::uint32_t invocations, const Dispatch& accumulate, const PixelRect& tile,
              std::uint32_t (&counts)[COUNTER_COUNT]) {
     std::fill(counts, counts + COUNTER_NEXT_JOB, 0u);
+    std::ranges::fill(counters_.mapped(), std::byte{0});
     std::memcpy(counters_.mapped().data(), counts, sizeof(counts));
     const Dispatch trace = {.pipeline = &trace_,
                             .bindings = &trace_bindings_,
@@ -204,6 +185,7 @@ class Tracer {
                             .group_count_z = 1};
     const SubmissionTime time = submitter_.run(std::array{trace, accumulate});
     std::memcpy(counts, counters_.mapped().data(), sizeof(counts));
+    add_effect_runs(counters_.mapped().subspan(sizeof(counts)), statistics_.effect_runs);
     statistics_.device_ms += time.device_ms;
     statistics_.rays.primary += counts[COUNTER_PRIMARY];
     statistics_.rays.shadow += counts[COUNTER_SHADOW];
@@ -263,37 +245,9 @@ TraceStatistics FilmTracer::trace(const RenderCallbacks& callbacks) {
     }
   }
   TraceStatistics statistics = tracer_->statistics();
+  if (!statistics.effect_runs.by_depth.empty()) statistics.effect_runs.by_depth[0].path = statistics.rays.primary;
   statistics.wall_ms = seconds() * 1000.0;
   return statistics;
-}
-
-double trace_aovs(const Device& device, const GpuScene& scene, SceneLoads loads,
-                  const TraceSpecialization& specialization, Film& film) {
-  Submitter submitter(device);
-  const Buffer unused(device, 0, BufferUse::storage);
-  Buffer dispatch_values = dispatch_buffer(device);
-  ComputePipeline pipeline;
-  double compile_ms = 0.0;
-  for (Film::Band& band : film.bands()) {
-    std::vector<Binding> bindings = scene.bindings();
-    bindings.insert(bindings.end(), {{BINDING_FILM, &unused},
-                                     {BINDING_COUNTERS, &unused},
-                                     {BINDING_PATHS, &unused},
-                                     {BINDING_AOVS, &band.aovs},
-                                     {BINDING_DISPATCH, &dispatch_values}});
-    if (compile_ms == 0.0) {
-      pipeline = make_trace_pipeline(device, Kernel::primary, loads, specialization, bindings);
-      compile_ms = pipeline.compile_ms();
-    }
-    const BindingSet set(device, pipeline, bindings);
-    const PixelRect rows{film.area().x, film.area().y + band.first_row, film.area().width, band.row_count};
-    for (const PixelRect& tile : schedule_tiles(rows, glm::ivec2(kTile), rows.height)) {
-      set_dispatch(dispatch_values, tile_constants(scene, tile, film.area(), band));
-      const Dispatch dispatch = tile_dispatch(pipeline, set, tile);
-      submitter.run(std::span(&dispatch, 1));
-    }
-  }
-  return compile_ms;
 }
 
 }  // namespace vernier

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <vector>
 
 #include "gpu/submission.h"
 #include "render/film.h"
@@ -17,8 +18,10 @@ struct TraceStatistics {
   std::uint64_t stack_overflows = 0;
   double device_ms = 0.0;
   double wall_ms = 0.0;
-  double compile_ms = 0.0;
-  std::uint64_t device_bytes = 0;  ///< of the buffers that tracing alone needs
+  std::vector<PipelineTime> pipelines;  ///< with the first dispatch, at which some drivers compile
+  EffectRuns effect_runs;               ///< empty unless the specialization counts effects
+  std::uint64_t device_bytes = 0;       ///< of the buffers that tracing alone needs
+  SavedMemory saved;                    ///< of these buffers
 };
 
 class Tracer;
@@ -43,9 +46,5 @@ class FilmTracer {
   RenderSettings settings_;
   std::unique_ptr<Tracer> tracer_;
 };
-
-/// Writes the AOVs of every pixel of `film`. Returns the pipeline's compile time in milliseconds.
-double trace_aovs(const Device& device, const GpuScene& scene, SceneLoads loads,
-                  const TraceSpecialization& specialization, Film& film);
 
 }  // namespace vernier

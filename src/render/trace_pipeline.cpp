@@ -44,30 +44,36 @@ std::uint32_t levels_of(Accuracy accuracy) {
   return LEVELS_OF(LEVEL_ROBUST);
 }
 
-TraceSpecialization specialize(std::uint32_t effects, std::uint32_t bvh_depth, std::uint32_t max_bounces,
-                               bool count_cost, const DeviceDescription& device) {
+std::uint32_t waiting_rays(std::uint32_t effects, std::uint32_t max_bounces) {
   const bool scatters = (effects & (EFFECT_REFLECTION | EFFECT_REFRACTION)) != 0;
   const bool splits = (effects & EFFECT_REFLECTION) != 0 && (effects & EFFECT_REFRACTION) != 0;
   const bool passes = (effects & (EFFECT_ALPHA_MASK | EFFECT_ALPHA_BLEND)) != 0;
+  // One per depth for each way a ray can branch (shaders/trace_path.glsl, next_ray).
   const std::uint32_t per_depth = (splits ? 1u : 0u) + (passes && scatters ? 1u : 0u);
-  const std::uint64_t waiting = std::uint64_t{per_depth} * max_bounces;
+  return static_cast<std::uint32_t>(std::min<std::uint64_t>(std::uint64_t{per_depth} * max_bounces, kLargestPathStack));
+}
+
+TraceSpecialization specialize(std::uint32_t effects, std::uint32_t bvh_depth, std::uint32_t max_bounces,
+                               bool count_cost, const DeviceDescription& device) {
   TraceSpecialization values;
   values.effects = effects;
   values.traversal_stack = std::max(bvh_depth, 1u);
   values.shift_stack = device.is_llvmpipe && bvh_depth <= SHIFT_STACK_MAX_SIZE;
-  values.path_stack = static_cast<std::uint32_t>(std::clamp<std::uint64_t>(waiting, 1, kLargestPathStack));
+  values.path_stack = waiting_rays(effects, max_bounces);
   values.count_cost = count_cost;
   return values;
 }
 
 ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLoads loads,
                                     const TraceSpecialization& specialization, std::span<const Binding> bindings) {
-  const std::array<SpecializationValue, 6> values = {
+  const std::array<SpecializationValue, 7> values = {
       SpecializationValue{SPECIALIZATION_EFFECTS, specialization.effects},
       SpecializationValue{SPECIALIZATION_TRAVERSAL_STACK, specialization.traversal_stack},
       SpecializationValue{SPECIALIZATION_SHIFT_STACK, specialization.shift_stack ? 1u : 0u},
       SpecializationValue{SPECIALIZATION_PATH_STACK, specialization.path_stack},
       SpecializationValue{SPECIALIZATION_COUNT_COST, specialization.count_cost ? 1u : 0u},
+      SpecializationValue{SPECIALIZATION_COUNT_EFFECTS,
+                          specialization.count_effects && kernel == Kernel::trace ? 1u : 0u},
       SpecializationValue{SPECIALIZATION_LEVELS, specialization.levels}};
   return ComputePipeline(device, spirv_of(kernel, loads), bindings, 0, values);
 }

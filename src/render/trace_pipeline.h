@@ -16,16 +16,20 @@ struct TraceSpecialization {
   std::uint32_t effects = 0;          ///< OR of EFFECT_*
   std::uint32_t traversal_stack = 1;  ///< entries
   bool shift_stack = false;           ///< traversal stack in shifted registers
-  std::uint32_t path_stack = 1;       ///< rays that can wait
+  std::uint32_t path_stack = 0;       ///< rays that can wait
   bool count_cost = false;
+  bool count_effects = false;                      ///< trace kernel only
   std::uint32_t levels = LEVELS_OF(LEVEL_ROBUST);  ///< numeric level of each spot (shared/accuracy.h)
 };
 
 /// The levels of all spots at `accuracy`.
 std::uint32_t levels_of(Accuracy accuracy);
 
+/// Rays of a path that can wait at a time where `effects` run, at most `max_bounces` deep: none where no ray branches.
+/// Up to 64; beyond that they are dropped and counted.
+std::uint32_t waiting_rays(std::uint32_t effects, std::uint32_t max_bounces);
+
 /// The specialization for a scene of `bvh_depth` with `effects`, at most `max_bounces` deep, on `device`.
-/// Two rays can wait per depth (shaders/trace_path.glsl); beyond 64 in all they are dropped and counted.
 TraceSpecialization specialize(std::uint32_t effects, std::uint32_t bvh_depth, std::uint32_t max_bounces,
                                bool count_cost, const DeviceDescription& device);
 

@@ -26,7 +26,7 @@ class ProgramTest(unittest.TestCase):
 
     def run_program(self, *arguments, environment=None):
         return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True,
-                              timeout=300, env={**os.environ, **(environment or {})})
+                              timeout=300, env={**os.environ, "VERNIER_PIPELINE_CACHE": "none", **(environment or {})})
 
     def check_error(self, code, part, *arguments, environment=None):
         """The program ends with `code` and says exactly one `error:` line that holds `part`."""
@@ -39,8 +39,8 @@ class ProgramTest(unittest.TestCase):
         self.assertEqual(result.stdout, "")
         return errors[0]
 
-    def check_done(self, *arguments):
-        result = self.run_program(*arguments)
+    def check_done(self, *arguments, environment=None):
+        result = self.run_program(*arguments, environment=environment)
         self.assertEqual(result.returncode, DONE, result.stderr)
         return result
 

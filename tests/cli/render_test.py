@@ -36,6 +36,10 @@ class RenderTest(ProgramTest):
         self.assertGreater(report["peak_memory"]["host_bytes"], 1 << 20)
         self.assertLessEqual(report["peak_memory"]["host_bytes"], largest)
         self.assertGreater(report["peak_memory"]["device_bytes"], report["bvh"]["bytes"])
+        self.assertEqual(report["saved_memory"].keys(), {"path_stack_bytes", "sample_cost_bytes", "aov_bytes"})
+        self.assertEqual(report["saved_memory"]["aov_bytes"], 24 * 16 * 19 * 4)
+        self.assertAlmostEqual(sum(report["pipelines"].values()), report["compile_ms"], places=6)
+        self.assertEqual(report["pipelines"].keys(), {"trace", "accumulate", "first dispatch"})
         for name in ["triangles", "instances", "materials", "textures", "load_ms", "upload_ms", "compile_ms",
                      "trace_device_ms", "trace_wall_ms", "rays_per_s"]:
             self.assertGreater(report[name], 0, name)
@@ -91,6 +95,45 @@ class RenderTest(ProgramTest):
         self.assertEqual(quiet.stdout + quiet.stderr, "")
         verbose = self.check_done("render", SCENE, "-o", "out.png", "--verbose", *SMALL)
         self.assertRegex(verbose.stderr, r"(?m)^on +refraction ")
+
+    def test_costs_are_a_heat_map_with_a_legend(self):
+        legend = r"cost: black 0 to pale yellow ([0-9.]+) node visits and triangle tests per sample .* largest ([0-9.]+)"
+        result = self.check_done("render", SCENE, "-o", "out.png", "--aov", "cost", *SMALL)
+        self.assertEqual(self.files(), ["out.cost.png", "out.png"])
+        found = re.search(legend, result.stderr)
+        self.assertIsNotNone(found, result.stderr)
+        self.assertLessEqual(float(found[1]), float(found[2]))
+        self.assertIn(b"vernier:cost_legend", (self.folder / "out.cost.png").read_bytes())
+        self.assertNotIn("cost:", self.check_done("render", SCENE, "-o", "out.png", *SMALL).stderr)
+
+    def test_effect_runs_are_told_when_asked_for(self):
+        self.check_done("render", SCENE, "-o", "out.png", "--json", "out.json", "--count-effects", *SMALL)
+        report = json.loads((self.folder / "out.json").read_text())
+        self.assertEqual({name: count > 0 for name, count in report["effect_runs"].items()}, report["effects"])
+        depths = report["rays_by_depth"]
+        self.assertEqual(depths[0]["path"], report["rays"]["primary"])
+        self.assertEqual(sum(depth["shadow"] for depth in depths), report["rays"]["shadow"])
+        self.check_done("render", SCENE, "-o", "out.png", "--json", "out.json", *SMALL)
+        self.assertNotIn("effect_runs", json.loads((self.folder / "out.json").read_text()))
+
+    def test_compiled_pipelines_are_kept_and_no_fault_of_their_file_is_an_error(self):
+        place = {"VERNIER_PIPELINE_CACHE": str(self.folder / "kept")}
+        arguments = ["render", SCENE, "-o", "out.hdr", "--verbose", *SMALL]
+        first = self.check_done(*arguments, environment=place)
+        self.assertRegex(first.stderr, r"(?m)^pipelines: trace [0-9.]+ ms, .*not there yet, \d+ bytes written$")
+        self.assertRegex(first.stderr, r"(?m)^not allocated: path stack [0-9.]+ MiB, .*AOVs [0-9.]+ MiB$")
+        picture = (self.folder / "out.hdr").read_bytes()
+        [kept] = (self.folder / "kept").iterdir()
+        self.assertRegex(self.check_done(*arguments, environment=place).stderr, r"\d+ bytes read")
+        for damage in [b"", b"nonsense", kept.read_bytes()[:-1]]:
+            kept.write_bytes(damage)
+            self.assertRegex(self.check_done(*arguments, environment=place).stderr, r"cut short, \d+ bytes written")
+            self.assertEqual((self.folder / "out.hdr").read_bytes(), picture)
+        off = self.check_done(*arguments, environment={"VERNIER_PIPELINE_CACHE": "none"})
+        self.assertIn("no file of compiled pipelines", off.stderr)
+        (self.folder / "in_the_way").write_text("")
+        nowhere = self.check_done(*arguments, environment={"VERNIER_PIPELINE_CACHE": str(self.folder / "in_the_way")})
+        self.assertIn("not written", nowhere.stderr)
 
     def test_hint_for_a_picture_that_is_too_bright(self):
         self.write("triangle.obj", TRIANGLE_OBJ)

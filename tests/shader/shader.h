@@ -60,6 +60,7 @@ constexpr uint TRAVERSAL_STACK_SIZE = 64u;
 bool SHIFT_STACK = false;
 uint PATH_STACK_SIZE = 18u;
 bool COUNT_COST = false;
+bool COUNT_EFFECTS = false;
 uint LEVELS = LEVELS_OF(LEVEL_ROBUST);
 uint MUTATION = MUTATION_NONE;
 bool effect_on(uint effect) {

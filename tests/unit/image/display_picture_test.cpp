@@ -85,8 +85,6 @@ TEST(DisplayPicture, IdsAreDistinctAndMissesBlack) {
 TEST(DisplayPicture, AmountsAreRelativeToTheLargest) {
   const Layer count{"sample_count", {"N"}, std::vector<std::uint32_t>{4, 16}};
   EXPECT_EQ(shown(count, 2), (std::vector<float>{0.25f, 0.25f, 0.25f, 1.0f, 1.0f, 1.0f}));
-  const Layer cost{"cost", {"rays", "nodes", "triangles"}, std::vector<float>{1, 10, 0, 2, 5, 0}};
-  EXPECT_EQ(shown(cost, 2), (std::vector<float>{0.5f, 1.0f, 0.0f, 1.0f, 0.5f, 0.0f}));
 }
 
 TEST(UnsignedPicture, KeepsValuesThatTheFormatCanHold) {
