@@ -1,30 +1,16 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <vector>
 
-#include "gpu/submission.h"
 #include "render/film.h"
 #include "render/gpu_scene.h"
 #include "render/render_image.h"
 #include "render/trace_pipeline.h"
+#include "render/trace_statistics.h"
 
 namespace vernier {
 
-/// What tracing took.
-struct TraceStatistics {
-  RayCounts rays;
-  std::uint64_t stack_overflows = 0;
-  double device_ms = 0.0;
-  double wall_ms = 0.0;
-  std::vector<PipelineTime> pipelines;  ///< with the first dispatch, at which some drivers compile
-  EffectRuns effect_runs;               ///< empty unless the specialization counts effects
-  std::uint64_t device_bytes = 0;       ///< of the buffers that tracing alone needs
-  SavedMemory saved;                    ///< of these buffers
-};
-
-class Tracer;
+class TileTracer;
 
 /// Pipelines and buffers that trace into a film, compiled once for any number of traces. Device, scene and film outlive
 /// it.
@@ -44,7 +30,7 @@ class FilmTracer {
 
  private:
   RenderSettings settings_;
-  std::unique_ptr<Tracer> tracer_;
+  std::unique_ptr<TileTracer> tracer_;
 };
 
 }  // namespace vernier

@@ -1,0 +1,176 @@
+#include "render/tile_tracer.h"
+
+#include <algorithm>
+#include <array>
+#include <cstring>
+#include <thread>
+
+#include "error.h"
+#include "render/tile_dispatch.h"
+#include "render/tile_schedule.h"
+#include "shared/bindings.h"
+#include "shared/film_layout.h"
+
+namespace vernier {
+namespace {
+
+/// Samples of a pass of a tile wait in a buffer of at most that size.
+constexpr std::uint64_t kSampleBytes = 64u << 20;
+/// Invocations per dispatch, in workgroups of kWorkgroup. They take jobs until none is left, so a CPU needs no more
+/// than keep its threads busy: each costs the loading and saving of a path.
+constexpr std::uint32_t kCpuInvocationsPerThread = 256;
+constexpr std::uint32_t kGpuInvocations = 1u << 17;
+constexpr std::uint32_t kWorkgroup = 64;
+/// Taken for the time of a search until a dispatch of at least kTrustedSearches has been timed: a slow CPU.
+constexpr double kFirstMsPerSearch = 1e-3;
+constexpr std::uint32_t kTrustedSearches = 1024;
+
+/// Jobs of a tile per sample: incomplete blocks count as whole ones (shaders/job.glsl).
+std::uint64_t jobs_per_sample(glm::ivec2 tile) {
+  return std::uint64_t{blocks_of(tile.x)} * blocks_of(tile.y) * JOB_BLOCK_SIDE * JOB_BLOCK_SIDE;
+}
+
+std::uint64_t bytes_per_sample(bool count_cost) {
+  return SAMPLE_BLOCKS(count_cost) * 16;
+}
+
+/// What the settings ask for, but no larger than the image, and small enough for one sample of each of its pixels.
+glm::ivec2 chosen_tile(const RenderSettings& settings, const PixelRect& area, std::uint64_t sample_bytes) {
+  glm::ivec2 tile = settings.tile.x > 0 ? settings.tile : glm::ivec2(kTile);
+  tile = glm::min(tile, glm::ivec2(area.width, area.height));
+  while (jobs_per_sample(tile) * sample_bytes > kSampleBytes) (tile.x > tile.y ? tile.x : tile.y) /= 2;
+  return tile;
+}
+
+std::uint32_t samples_that_fit(glm::ivec2 tile, std::uint64_t sample_bytes) {
+  return static_cast<std::uint32_t>(kSampleBytes / (jobs_per_sample(tile) * sample_bytes));
+}
+
+/// Size of the buffer for a pass of a tile.
+std::uint64_t pass_bytes(const RenderSettings& settings, glm::ivec2 tile, std::uint64_t sample_bytes) {
+  return jobs_per_sample(tile) * sample_bytes *
+         std::min(
+             {samples_that_fit(tile, sample_bytes), kMostSamplesPerPass, settings.sample_end - settings.sample_begin});
+}
+
+std::uint64_t path_bytes(std::uint32_t invocations, std::uint32_t path_stack) {
+  return std::uint64_t{invocations} * PATH_BLOCKS(path_stack) * 16;
+}
+
+std::uint32_t invocation_count(const DeviceDescription& device) {
+  return device.is_cpu ? kCpuInvocationsPerThread * std::max(std::thread::hardware_concurrency(), 1u) : kGpuInvocations;
+}
+
+}  // namespace
+
+TileTracer::TileTracer(const Device& device, const GpuScene& scene, SceneLoads loads,
+                       const TraceSpecialization& specialization, const RenderSettings& settings, Film& film)
+    : scene_(scene),
+      submitter_(device),
+      tile_(chosen_tile(settings, film.area(), bytes_per_sample(specialization.count_cost))),
+      most_samples_(samples_that_fit(tile_, bytes_per_sample(specialization.count_cost))),
+      wanted_ms_(settings.dispatch_ms),
+      invocations_(invocation_count(device.description())),
+      film_(film),
+      counters_(device, (specialization.count_effects ? COUNTER_COUNT_WITH_RUNS : COUNTER_COUNT) * 4,
+                BufferUse::storage_host_visible),
+      paths_(device, path_bytes(invocations_, specialization.path_stack), BufferUse::storage),
+      samples_(device, pass_bytes(settings, tile_, bytes_per_sample(specialization.count_cost)), BufferUse::storage),
+      unused_(device, 0, BufferUse::storage),
+      dispatch_(dispatch_buffer(device)),
+      ms_per_search_(kFirstMsPerSearch) {
+  std::vector<Binding> bindings = scene.bindings();
+  bindings.insert(bindings.end(), {{BINDING_FILM, &unused_},
+                                   {BINDING_COUNTERS, &counters_},
+                                   {BINDING_PATHS, &paths_},
+                                   {BINDING_AOVS, &unused_},
+                                   {BINDING_DISPATCH, &dispatch_},
+                                   {BINDING_SAMPLES, &samples_}});
+  trace_ = make_trace_pipeline(device, Kernel::trace, loads, specialization, bindings);
+  trace_bindings_ = BindingSet(device, trace_, bindings);
+  for (Film::Band& band : film.bands()) {
+    const std::vector<Binding> own = {{BINDING_FILM, &band.sums},
+                                      {BINDING_COUNTERS, &counters_},
+                                      {BINDING_DISPATCH, &dispatch_},
+                                      {BINDING_SAMPLES, &samples_}};
+    if (accumulate_bindings_.empty()) {
+      accumulate_ = make_trace_pipeline(device, Kernel::accumulate, loads, specialization, own);
+    }
+    accumulate_bindings_.emplace_back(device, accumulate_, own);
+  }
+  statistics_.pipelines = {
+      {"trace", trace_.compile_ms()}, {"accumulate", accumulate_.compile_ms()}, {"first dispatch", warm_up()}};
+  statistics_.device_bytes = counters_.size_bytes() + paths_.size_bytes() + samples_.size_bytes();
+  note_saved(settings);
+}
+
+bool TileTracer::run_tile(const PixelRect& tile, const SamplePass& pass, const std::function<bool()>& stop) {
+  const auto band = static_cast<std::size_t>((tile.y - film_.area().y) / film_.band_height());
+  DispatchConstants constants = tile_constants(scene_, tile, film_.area(), film_.bands()[band]);
+  constants.sample_begin = pass.begin;
+  constants.sample_end = pass.end;
+  const std::uint64_t jobs = jobs_per_sample({tile.width, tile.height}) * pass.length();
+  const auto invocations = static_cast<std::uint32_t>(std::min<std::uint64_t>(invocations_, jobs));
+  std::uint32_t counts[COUNTER_COUNT] = {};
+  do {
+    if (stop()) return false;
+    constants.search_budget = choose_search_budget(wanted_ms_, ms_per_search_, invocations);
+    constants.search_limit = search_limit(constants.search_budget);
+    set_dispatch(dispatch_, constants);
+    trace(invocations, tile_dispatch(accumulate_, accumulate_bindings_[band], tile), tile, counts);
+    constants.resume = 1;
+  } while (counts[COUNTER_UNFINISHED] > 0 || counts[COUNTER_NEXT_JOB] < jobs);
+  return true;
+}
+
+/// What the pipeline with every effect and the cost would have taken beyond this one's buffers.
+void TileTracer::note_saved(const RenderSettings& settings) {
+  const std::uint32_t full_stack = waiting_rays(~0u, settings.max_bounces);
+  const std::uint64_t with_cost = bytes_per_sample(true);
+  const std::uint64_t full_pass = pass_bytes(settings, chosen_tile(settings, film_.area(), with_cost), with_cost);
+  statistics_.saved.path_stack_bytes = path_bytes(invocations_, full_stack) - paths_.size_bytes();
+  statistics_.saved.sample_cost_bytes = full_pass - std::min(full_pass, samples_.size_bytes());
+}
+
+/// Dispatches both kernels on no job: llvmpipe compiles at the first dispatch, for up to a second. Returns the time.
+double TileTracer::warm_up() {
+  const PixelRect nothing{film_.area().x, film_.area().y, 0, 0};
+  set_dispatch(dispatch_, tile_constants(scene_, nothing, film_.area(), film_.bands().front()));
+  const Dispatch trace{.pipeline = &trace_, .bindings = &trace_bindings_, .push_constants = {}};
+  const Dispatch accumulate{.pipeline = &accumulate_, .bindings = &accumulate_bindings_.front(), .push_constants = {}};
+  return submitter_.run(std::array{trace, accumulate}).wall_ms;
+}
+
+/// Runs one dispatch and `accumulate`, which adds the pass to the film if that was the last, and books what it did.
+/// `counts`: of the dispatch before, replaced by its own.
+void TileTracer::trace(std::uint32_t invocations, const Dispatch& accumulate, const PixelRect& tile,
+                       std::uint32_t (&counts)[COUNTER_COUNT]) {
+  std::fill(counts, counts + COUNTER_NEXT_JOB, 0u);
+  std::ranges::fill(counters_.mapped(), std::byte{0});
+  std::memcpy(counters_.mapped().data(), counts, sizeof(counts));
+  const Dispatch trace = {.pipeline = &trace_,
+                          .bindings = &trace_bindings_,
+                          .push_constants = {},
+                          .group_count_x = (invocations + kWorkgroup - 1) / kWorkgroup,
+                          .group_count_y = 1,
+                          .group_count_z = 1};
+  const SubmissionTime time = submitter_.run(std::array{trace, accumulate});
+  std::memcpy(counts, counters_.mapped().data(), sizeof(counts));
+  add_effect_runs(counters_.mapped().subspan(sizeof(counts)), statistics_.effect_runs);
+  statistics_.device_ms += time.device_ms;
+  statistics_.rays.primary += counts[COUNTER_PRIMARY];
+  statistics_.rays.shadow += counts[COUNTER_SHADOW];
+  statistics_.rays.reflection += counts[COUNTER_REFLECTION];
+  statistics_.rays.refraction += counts[COUNTER_REFRACTION];
+  statistics_.stack_overflows += counts[COUNTER_STACK_OVERFLOWS];
+  const std::uint32_t searches =
+      counts[COUNTER_PRIMARY] + counts[COUNTER_SHADOW] + counts[COUNTER_REFLECTION] + counts[COUNTER_REFRACTION];
+  if (searches >= kTrustedSearches) ms_per_search_ = time.device_ms / searches;
+  if (counts[COUNTER_UNFINISHED] > 0 && counts[COUNTER_STUCK] == counts[COUNTER_UNFINISHED]) {
+    throw Error(ErrorKind::failed, "a ray in the tile at pixel " + std::to_string(tile.x) + "," +
+                                       std::to_string(tile.y) +
+                                       " takes more steps than the driver lets a shader take; try --device");
+  }
+}
+
+}  // namespace vernier
