@@ -49,6 +49,7 @@ layout(set = 0, binding = BINDING_FILM, scalar) buffer Film { uvec4 film_blocks[
 layout(set = 0, binding = BINDING_COUNTERS, scalar) buffer Counters { uint counters[]; };
 layout(set = 0, binding = BINDING_PATHS, scalar) buffer Paths { uvec4 path_blocks[]; };
 layout(set = 0, binding = BINDING_SAMPLES, scalar) buffer Samples { uvec4 sample_blocks[]; };
+layout(set = 0, binding = BINDING_PIXELS, scalar) readonly buffer Pixels { uint listed_pixels[]; };
 layout(set = 0, binding = BINDING_AOVS, scalar) buffer Aovs { uint aov_words[]; };
 
 // llvmpipe reads a word of a buffer lane by lane every time: there an invocation keeps copies from its start on.
@@ -77,6 +78,7 @@ void store_path(uint i, uvec4 block) { path_blocks[i] = block; }
 uvec4 load_sample(uint i) { return sample_blocks[i]; }
 void store_sample(uint i, uvec4 block) { sample_blocks[i] = block; }
 void store_aov(uint i, uint word) { aov_words[i] = word; }
+uint load_pixel(uint i) { return listed_pixels[i]; }
 // Adds to a counter; 0 costs no memory traffic.
 void add_to_counter(uint i, uint amount) {
   if (amount > 0u) atomicAdd(counters[i], amount);

@@ -1,4 +1,4 @@
-// The jobs of a dispatch: every sample of the pass at every pixel of the tile.
+// The jobs of a dispatch: every sample of the pass at every pixel of the tile, or at those of a list.
 #ifndef VERNIER_JOB_GLSL
 #define VERNIER_JOB_GLSL
 
@@ -17,6 +17,7 @@ uint samples_of_pass() { return dispatch_constants().sample_end - dispatch_const
 // Jobs of the dispatch, those of incomplete blocks that have no pixel counted too.
 uint job_count() {
   DispatchConstants constants = dispatch_constants();
+  if (LISTED_PIXELS) return constants.pixel_count * samples_of_pass();
   return blocks_of(constants.tile_width) * blocks_of(constants.tile_height) * JOB_BLOCK_SIDE * JOB_BLOCK_SIDE * samples_of_pass();
 }
 
@@ -27,18 +28,25 @@ uint divided(IN(uint) a, IN(uint) b) {
   return quotient + (a - quotient * b >= b ? 1u : 0u);
 }
 
+// Sample `sample_index` of pixel number `rank` of the list.
+Job listed_job(IN(uint) rank, IN(uint) sample_index) {
+  uint pixel = load_pixel(rank);
+  return Job(pixel & 0xffffu, pixel >> 16, sample_index);
+}
+
 // Job number `job`. The samples of a pixel follow each other, so that lanes in lockstep begin with rays that stay together.
 Job job_at(IN(uint) job) {
   uint samples = samples_of_pass();
   uint rank = divided(job, samples);
+  uint sample_index = dispatch_constants().sample_begin + (job - rank * samples);
+  if (LISTED_PIXELS) return listed_job(min(rank, max(dispatch_constants().pixel_count, 1u) - 1u), sample_index);
   uint block = rank / (JOB_BLOCK_SIDE * JOB_BLOCK_SIDE);
   uint columns = blocks_of(dispatch_constants().tile_width);
   uint row = divided(block, columns);
-  return Job((block - row * columns) * JOB_BLOCK_SIDE + rank % JOB_BLOCK_SIDE, row * JOB_BLOCK_SIDE + rank / JOB_BLOCK_SIDE % JOB_BLOCK_SIDE,
-             dispatch_constants().sample_begin + (job - rank * samples));
+  return Job((block - row * columns) * JOB_BLOCK_SIDE + rank % JOB_BLOCK_SIDE, row * JOB_BLOCK_SIDE + rank / JOB_BLOCK_SIDE % JOB_BLOCK_SIDE, sample_index);
 }
 
-// The inverse of job_at: the first job of pixel (x, y) of the tile.
+// The inverse of job_at: the first job of pixel (x, y) of the tile, where there is no list.
 uint first_job_of(IN(uint) x, IN(uint) y) {
   uint block = y / JOB_BLOCK_SIDE * blocks_of(dispatch_constants().tile_width) + x / JOB_BLOCK_SIDE;
   return (block * JOB_BLOCK_SIDE * JOB_BLOCK_SIDE + y % JOB_BLOCK_SIDE * JOB_BLOCK_SIDE + x % JOB_BLOCK_SIDE) * samples_of_pass();

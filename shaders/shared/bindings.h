@@ -17,5 +17,6 @@
 #define BINDING_AOVS 12        // uint, AOV_WORDS per pixel of a band
 #define BINDING_DISPATCH 13    // DispatchConstants
 #define BINDING_SAMPLES 14     // uvec4, SAMPLE_BLOCKS per job
+#define BINDING_PIXELS 15      // uint per listed pixel: y << 16 | x within the tile
 
 #endif

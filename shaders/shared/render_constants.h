@@ -62,12 +62,13 @@ struct DispatchConstants {
   uint search_budget;  // searches after which an invocation takes no further job
   uint search_limit;   // and after which it saves its path; not below the budget
   uint resume;         // 1: go on with the saved paths
+  uint pixel_count;    // of the list, with LISTED_PIXELS
   SteeringConstants steering;
 };
 
 #ifdef __cplusplus
 static_assert(sizeof(RenderConstants) == 4 * (6 * 4 + 6 + 27));
-static_assert(sizeof(DispatchConstants) == 4 * (12 + 11));
+static_assert(sizeof(DispatchConstants) == 4 * (13 + 11));
 }  // namespace vernier
 #endif
 

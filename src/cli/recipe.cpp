@@ -56,7 +56,8 @@ nlohmann::ordered_json recipe_options(const SceneArguments& scene, const RenderA
   }
   put(options, "background", scene.background);
   put(options, "ambient", scene.ambient);
-  put(options, "spp", render.spp);
+  put(options, "spp", spp_text(render));
+  put(options, "error-target", render.error_target);
   put(options, "sample-range", render.sample_range);
   put(options, "max-bounces", render.max_bounces);
   put(options, "cutoff", render.cutoff);

@@ -78,6 +78,9 @@ int run_render(const RenderPlan& plan) {
   report.warnings.insert(report.warnings.end(), report.statistics.warnings.begin(), report.statistics.warnings.end());
   const RecipeMaker maker{description.name, description.driver, report.statistics.spirv_hash};
   result.image.metadata.merge(render_recipe(plan.scene_arguments, setup.scene.files, plan.render_arguments, maker));
+  if (report.statistics.error) {
+    result.image.metadata["vernier:error_estimate"] = error_text(*report.statistics.error);
+  }
   const std::string legend = cost_legend(result.image);
   if (!legend.empty()) result.image.metadata["vernier:cost_legend"] = legend;
   write_image(plan.output, result.image, plan.display);

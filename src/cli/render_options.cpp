@@ -13,8 +13,10 @@
 namespace vernier {
 namespace {
 
-constexpr std::uint32_t kMaxBounces = 1000;     // lossless mirrors go on for ever: bounds the work of cutoff 0
-constexpr double kMaxDispatch_ms = 60000.0;     // drivers reset a device that is busy for longer
+constexpr std::uint32_t kMaxBounces = 1000;  // lossless mirrors go on for ever: bounds the work of cutoff 0
+constexpr double kMaxDispatch_ms = 60000.0;  // drivers reset a device that is busy for longer
+constexpr double kLeastErrorTarget = 1e-6;   // near the rounding of the floats in the file
+constexpr double kMostErrorTarget = 10.0;
 constexpr double kMaxTimeLimit_s = 31536000.0;  // a year
 
 constexpr std::array<const char*, 11> kAovs = {"depth",        "position",     "normal",    "shading_normal",
@@ -65,6 +67,10 @@ void parse_limits(const RenderArguments& arguments, RenderSettings& settings) {
   if (!arguments.tile.empty()) {
     settings.tile = parse_size("--tile", arguments.tile);
   }
+  if (!arguments.error_target.empty()) {
+    settings.error_target =
+        parse_number_in("--error-target", arguments.error_target, kLeastErrorTarget, kMostErrorTarget);
+  }
   if (!arguments.time_limit.empty()) {
     constexpr double kOneMillisecond_s = 0.001;
     settings.time_limit_s = parse_number_in("--time-limit", arguments.time_limit, kOneMillisecond_s, kMaxTimeLimit_s);
@@ -72,6 +78,11 @@ void parse_limits(const RenderArguments& arguments, RenderSettings& settings) {
 }
 
 }  // namespace
+
+std::string spp_text(const RenderArguments& arguments) {
+  if (!arguments.spp.empty()) return arguments.spp;
+  return arguments.error_target.empty() ? "16" : "65536";
+}
 
 void add_size_option(CLI::App& app, std::string& size) {
   app.add_option("--size", size, "pixels, each side from 1 to 65536 (default: 1280x720)")->type_name("WxH");
@@ -91,7 +102,10 @@ void add_effects_option(CLI::App& app, std::string& effects) {
 }
 
 void add_sampling_options(CLI::App& app, RenderArguments& arguments) {
-  app.add_option("--spp", arguments.spp, "samples per pixel; 1 samples the pixel centre (default: 16)")->type_name("N");
+  app.add_option(
+         "--spp", arguments.spp,
+         "samples per pixel; 1 samples the pixel centre (default: 16; with --error-target the most of a pixel: 65536)")
+      ->type_name("N");
   add_bounces_option(app, arguments.max_bounces);
   app.add_option("--cutoff", arguments.cutoff,
                  "a ray whose weight falls below W in [0, 1] is not traced; 0 never cuts (default: 1/1024)")
@@ -130,6 +144,11 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--time-limit", arguments.time_limit,
                  "stop after S seconds with the samples done by then (default: none)")
       ->type_name("S");
+  app.add_option(
+         "--error-target", arguments.error_target,
+         "stop when sqrt(relMSE) of the linear colours (see vernier diff) lies below E with 95 % confidence, 1e-6 "
+         "to 10; pixels get as many samples as they need (default: none)")
+      ->type_name("E");
 }
 
 RenderSettings parse_render_settings(const RenderArguments& arguments) {
@@ -142,7 +161,7 @@ RenderSettings parse_render_settings(const RenderArguments& arguments) {
     settings.crop = parse_rect("--crop", arguments.crop);
   }
   check_crop(settings);
-  settings.spp = parse_count("--spp", arguments.spp, 1, kMaxSpp);
+  settings.spp = parse_count("--spp", spp_text(arguments), 1, kMaxSpp);
   settings.sample_end = settings.spp;
   if (!arguments.sample_range.empty()) {
     const SampleRange range = parse_sample_range("--sample-range", arguments.sample_range, settings.spp);

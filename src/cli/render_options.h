@@ -11,7 +11,7 @@ namespace vernier {
 struct RenderArguments {
   std::string size = "1280x720";
   std::string crop;
-  std::string spp = "16";
+  std::string spp;  ///< empty: see spp_text()
   std::string sample_range;
   std::string max_bounces = "8";
   std::string cutoff = "1/1024";
@@ -20,10 +20,14 @@ struct RenderArguments {
   std::string tile;
   std::string dispatch_ms = "100";
   std::string time_limit;
+  std::string error_target;
   std::string aov;
   bool count_effects = false;
   std::string seed = "0";
 };
+
+/// The samples per pixel that are meant: 16 where none are given, with an error target the most a pixel gets, 65536.
+std::string spp_text(const RenderArguments& arguments);
 
 /// Adds --size to `app`: what reference and explain share with render.
 void add_size_option(CLI::App& app, std::string& size);

@@ -114,10 +114,12 @@ void add_outcome(nlohmann::ordered_json& json, const RenderReport& report) {
                   {"refraction", rays.refraction}};
   json["rays_per_s"] = rays_per_s(statistics);
   json["samples_done"] = statistics.samples_done;
+  json["mean_samples"] = statistics.mean_samples;
   json["effects"] = effects_by_name(statistics.effects);
   json["non_finite_pixels"] = statistics.non_finite_pixels;
   json["stack_overflows"] = statistics.stack_overflows;
   json["error_estimate"] = nullptr;  // only known with an error target
+  if (statistics.error) json["error_estimate"] = statistics.error->bound();
   json["peak_memory"] = {{"host_bytes", peak_host_bytes()}, {"device_bytes", statistics.device_bytes}};
   json["saved_memory"] = saved_json(statistics.saved);
   json["warnings"] = report.warnings;
@@ -152,7 +154,14 @@ std::string summary_line(const RenderReport& report, const std::string& file) {
   std::snprintf(text, sizeof text, ": %dx%d, %u samples, %.3f Mrays in %.2f s, ", rect.width, rect.height,
                 statistics.samples_done, static_cast<double>(ray_count(statistics.rays)) * 1e-6,
                 statistics.trace_wall_ms * 1e-3);
-  return file + text + rate_text(rays_per_s(statistics));
+  const std::string reached = statistics.error ? ", " + error_text(*statistics.error) : "";
+  return file + text + rate_text(rays_per_s(statistics)) + reached;
+}
+
+std::string error_text(const ErrorEstimate& error) {
+  char text[64];
+  std::snprintf(text, sizeof text, "sqrt(relMSE) at most %.3g (95 %%)", error.bound());
+  return text;
 }
 
 std::string non_finite_text(const RenderStatistics& statistics) {

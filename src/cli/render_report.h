@@ -33,6 +33,9 @@ nlohmann::ordered_json render_json(const RenderReport& report);
 /// One line for stderr: size, samples, rays, rays per second, seconds, file.
 std::string summary_line(const RenderReport& report, const std::string& file);
 
+/// The bound of the error with what it means: `sqrt(relMSE) at most 0.0093 (95 %)`.
+std::string error_text(const ErrorEstimate& error);
+
 /// How many pixels are not finite and which pixel and sample is the first: "3 pixels are not finite, the first: pixel
 /// 12,34, sample 5". At least one is.
 std::string non_finite_text(const RenderStatistics& statistics);

@@ -74,11 +74,13 @@ DevelopedFilm develop(const std::vector<std::uint32_t>& sums, const PixelRect& a
   film.sample_count.resize(pixel_count);
   film.cost.assign(3 * pixel_count, 0.0f);
   film.least_samples = std::numeric_limits<std::uint32_t>::max();
+  std::uint64_t total_samples = 0;
   for (std::size_t pixel = 0; pixel < pixel_count; ++pixel) {
     const std::uint32_t* words = sums.data() + pixel * FILM_WORDS;
     const std::uint32_t samples = words[FILM_SAMPLES];
     film.sample_count[pixel] = samples;
     film.least_samples = std::min(film.least_samples, samples);
+    total_samples += samples;
     if (samples == 0) continue;
     float* color = film.color.data() + 4 * pixel;
     const bool finite = words[FILM_NON_FINITE] == 0;
@@ -95,6 +97,7 @@ DevelopedFilm develop(const std::vector<std::uint32_t>& sums, const PixelRect& a
                                .sample = words[FILM_FIRST_NON_FINITE] - 1};
     }
   }
+  film.mean_samples = static_cast<double>(total_samples) / static_cast<double>(std::max<std::size_t>(pixel_count, 1));
   return film;
 }
 

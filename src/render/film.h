@@ -53,6 +53,7 @@ struct DevelopedFilm {
   std::uint64_t non_finite_pixels = 0;
   SamplePlace first_non_finite;  ///< where there is one, in pixels of the full image
   std::uint32_t least_samples = 0;
+  double mean_samples = 0.0;
 };
 
 /// Turns read_sums' words of an area that starts at (area.x, area.y) into values. Sums are exact; the mean is rounded

@@ -20,6 +20,10 @@ void check_settings(const RenderSettings& settings) {
   if (settings.sample_begin >= settings.sample_end || settings.sample_end > settings.spp) {
     throw Error(ErrorKind::usage, "--sample-range: it must lie within 0:" + std::to_string(settings.spp));
   }
+  if (settings.error_target &&
+      (settings.spp < 2 || settings.sample_begin != 0 || settings.sample_end != settings.spp)) {
+    throw Error(ErrorKind::usage, "--error-target: it needs all samples of the image, and at least 2 per pixel");
+  }
 }
 
 PixelRect image_area(const RenderSettings& settings) {
@@ -77,9 +81,14 @@ void describe_left_out(const Scene& scene, const PackedScene& packed, RenderStat
   tell(packed.hidden_triangles, "exactly on others before, never seen");
 }
 
-void describe_trace(const TraceStatistics& trace, RenderStatistics& statistics) {
+void describe_trace(const TraceStatistics& trace, const RenderSettings& settings, RenderStatistics& statistics) {
   statistics.rays = trace.rays;
   statistics.stack_overflows = trace.stack_overflows;
+  statistics.error = trace.error;
+  if (settings.error_target && !(trace.error && trace.error->bound() <= *settings.error_target)) {
+    statistics.warnings.push_back("--error-target was not reached with " + std::to_string(settings.spp) +
+                                  " samples per pixel or in the time given");
+  }
   statistics.trace_device_ms = trace.device_ms;
   statistics.trace_wall_ms = trace.wall_ms;
   statistics.pipelines.insert(statistics.pipelines.end(), trace.pipelines.begin(), trace.pipelines.end());
@@ -109,6 +118,7 @@ RenderResult read_film(const Device& device, const Film& film, const RenderSetti
   statistics.non_finite_pixels = developed.non_finite_pixels;
   statistics.first_non_finite = developed.first_non_finite;
   statistics.samples_done = developed.least_samples;
+  statistics.mean_samples = developed.mean_samples;
   const std::vector<std::uint32_t> aov_words =
       wants_geometry(settings) ? film.read_aovs(device) : std::vector<std::uint32_t>{};
   std::vector<Layer> layers = aov_layers(settings.aovs, aov_words, developed);
@@ -147,6 +157,7 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
                                                   wants(settings, "cost"), device.description());
   specialization.levels = levels_of(settings.accuracy);
   specialization.count_effects = settings.count_effects;
+  specialization.listed_pixels = settings.error_target.has_value();
   statistics.spirv_hash = trace_spirv_hash(loads);
   packed = {};  // the device has it now
 
@@ -157,7 +168,8 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   } else {
     statistics.saved.aov_bytes = std::uint64_t{AOV_WORDS} * 4 * static_cast<std::uint64_t>(area.width) * area.height;
   }
-  describe_trace(FilmTracer(device, gpu_scene, loads, specialization, settings, film).trace(callbacks), statistics);
+  describe_trace(FilmTracer(device, gpu_scene, loads, specialization, settings, film).trace(callbacks), settings,
+                 statistics);
   return read_film(device, film, settings, std::move(statistics));
 }
 

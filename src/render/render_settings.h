@@ -38,8 +38,9 @@ struct RenderSettings {
   float cutoff = 0.0009765625f;    ///< a ray of a weight below is not traced; 0 cuts only weight 0
   Accuracy accuracy = Accuracy::robust;
   std::string effects = "auto";
-  glm::ivec2 tile = glm::ivec2(0);  ///< pixels; 0: chosen. Never changes a bit
-  double dispatch_ms = 100.0;       ///< time budget of one submission
+  glm::ivec2 tile = glm::ivec2(0);     ///< pixels; 0: chosen. Never changes a bit
+  double dispatch_ms = 100.0;          ///< time budget of one submission
+  std::optional<double> error_target;  ///< sqrt(relMSE) at which sampling stops; spp is then the most of a pixel
   double time_limit_s = std::numeric_limits<double>::infinity();
   std::uint32_t seed = 0;
   bool count_effects = false;     ///< counts how often each effect runs: slower, never changes a bit

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "effects/effect_set.h"
 #include "render/effect_runs.h"
+#include "render/error_estimate.h"
 
 namespace vernier {
 
@@ -59,7 +61,9 @@ struct RenderStatistics {
   std::uint64_t non_finite_pixels = 0;
   SamplePlace first_non_finite;  ///< of those pixels, row by row, the first, and the first such sample of it
   std::uint64_t stack_overflows = 0;
-  std::uint32_t samples_done = 0;  ///< samples every pixel has got
+  std::uint32_t samples_done = 0;      ///< samples every pixel has got
+  double mean_samples = 0.0;           ///< per pixel
+  std::optional<ErrorEstimate> error;  ///< with an error target, once there is one
   std::uint64_t device_bytes = 0;
   SavedMemory saved;
   EffectRuns effect_runs;  ///< only with RenderSettings::count_effects

@@ -67,15 +67,18 @@ TileTracer::TileTracer(const Device& device, const GpuScene& scene, SceneLoads l
                        const TraceSpecialization& specialization, const RenderSettings& settings, Film& film)
     : scene_(scene),
       submitter_(device),
-      tile_(chosen_tile(settings, film.area(), bytes_per_sample(specialization.count_cost))),
-      most_samples_(samples_that_fit(tile_, bytes_per_sample(specialization.count_cost))),
+      sample_bytes_(bytes_per_sample(specialization.count_cost)),
+      tile_(chosen_tile(settings, film.area(), sample_bytes_)),
+      most_samples_(samples_that_fit(tile_, sample_bytes_)),
       wanted_ms_(settings.dispatch_ms),
       invocations_(invocation_count(device.description())),
       film_(film),
       counters_(device, (specialization.count_effects ? COUNTER_COUNT_WITH_RUNS : COUNTER_COUNT) * 4,
                 BufferUse::storage_host_visible),
       paths_(device, path_bytes(invocations_, specialization.path_stack), BufferUse::storage),
-      samples_(device, pass_bytes(settings, tile_, bytes_per_sample(specialization.count_cost)), BufferUse::storage),
+      samples_(device, pass_bytes(settings, tile_, sample_bytes_), BufferUse::storage),
+      pixels_(device, specialization.listed_pixels ? std::uint64_t{4} * tile_.x * tile_.y : 0,
+              BufferUse::storage_host_visible),
       unused_(device, 0, BufferUse::storage),
       dispatch_(dispatch_buffer(device)),
       ms_per_search_(kFirstMsPerSearch) {
@@ -85,14 +88,16 @@ TileTracer::TileTracer(const Device& device, const GpuScene& scene, SceneLoads l
                                    {BINDING_PATHS, &paths_},
                                    {BINDING_AOVS, &unused_},
                                    {BINDING_DISPATCH, &dispatch_},
-                                   {BINDING_SAMPLES, &samples_}});
+                                   {BINDING_SAMPLES, &samples_},
+                                   {BINDING_PIXELS, &pixels_}});
   trace_ = make_trace_pipeline(device, Kernel::trace, loads, specialization, bindings);
   trace_bindings_ = BindingSet(device, trace_, bindings);
   for (Film::Band& band : film.bands()) {
     const std::vector<Binding> own = {{BINDING_FILM, &band.sums},
                                       {BINDING_COUNTERS, &counters_},
                                       {BINDING_DISPATCH, &dispatch_},
-                                      {BINDING_SAMPLES, &samples_}};
+                                      {BINDING_SAMPLES, &samples_},
+                                      {BINDING_PIXELS, &pixels_}};
     if (accumulate_bindings_.empty()) {
       accumulate_ = make_trace_pipeline(device, Kernel::accumulate, loads, specialization, own);
     }
@@ -100,16 +105,49 @@ TileTracer::TileTracer(const Device& device, const GpuScene& scene, SceneLoads l
   }
   statistics_.pipelines = {
       {"trace", trace_.compile_ms()}, {"accumulate", accumulate_.compile_ms()}, {"first dispatch", warm_up()}};
-  statistics_.device_bytes = counters_.size_bytes() + paths_.size_bytes() + samples_.size_bytes();
+  statistics_.device_bytes =
+      counters_.size_bytes() + paths_.size_bytes() + samples_.size_bytes() + pixels_.size_bytes();
   note_saved(settings);
 }
 
 bool TileTracer::run_tile(const PixelRect& tile, const SamplePass& pass, const std::function<bool()>& stop) {
+  const std::uint64_t jobs = jobs_per_sample({tile.width, tile.height}) * pass.length();
+  return run_jobs(pass_constants(tile, pass), jobs, tile_dispatch(accumulate_, accumulate_bindings(tile), tile), stop);
+}
+
+bool TileTracer::run_pixels(const PixelRect& tile, std::span<const std::uint32_t> pixels, const SamplePass& pass,
+                            const std::function<bool()>& stop) {
+  std::memcpy(pixels_.mapped().data(), pixels.data(), pixels.size_bytes());
+  DispatchConstants constants = pass_constants(tile, pass);
+  constants.pixel_count = static_cast<std::uint32_t>(pixels.size());
+  const Dispatch accumulate = {.pipeline = &accumulate_,
+                               .bindings = &accumulate_bindings(tile),
+                               .push_constants = {},
+                               .group_count_x = (constants.pixel_count + kWorkgroup - 1) / kWorkgroup,
+                               .group_count_y = 1,
+                               .group_count_z = 1};
+  return run_jobs(constants, std::uint64_t{constants.pixel_count} * pass.length(), accumulate, stop);
+}
+
+std::uint32_t TileTracer::samples_of_pass(std::size_t pixels) const {
+  return std::max(static_cast<std::uint32_t>(samples_.size_bytes() / (sample_bytes_ * pixels)), 1u);
+}
+
+const BindingSet& TileTracer::accumulate_bindings(const PixelRect& tile) const {
+  return accumulate_bindings_[static_cast<std::size_t>((tile.y - film_.area().y) / film_.band_height())];
+}
+
+DispatchConstants TileTracer::pass_constants(const PixelRect& tile, const SamplePass& pass) {
   const auto band = static_cast<std::size_t>((tile.y - film_.area().y) / film_.band_height());
   DispatchConstants constants = tile_constants(scene_, tile, film_.area(), film_.bands()[band]);
   constants.sample_begin = pass.begin;
   constants.sample_end = pass.end;
-  const std::uint64_t jobs = jobs_per_sample({tile.width, tile.height}) * pass.length();
+  return constants;
+}
+
+/// Dispatches until all `jobs` are done; `accumulate` adds them to the film with the last of them.
+bool TileTracer::run_jobs(DispatchConstants constants, std::uint64_t jobs, const Dispatch& accumulate,
+                          const std::function<bool()>& stop) {
   const auto invocations = static_cast<std::uint32_t>(std::min<std::uint64_t>(invocations_, jobs));
   std::uint32_t counts[COUNTER_COUNT] = {};
   do {
@@ -117,7 +155,7 @@ bool TileTracer::run_tile(const PixelRect& tile, const SamplePass& pass, const s
     constants.search_budget = choose_search_budget(wanted_ms_, ms_per_search_, invocations);
     constants.search_limit = search_limit(constants.search_budget);
     set_dispatch(dispatch_, constants);
-    trace(invocations, tile_dispatch(accumulate_, accumulate_bindings_[band], tile), tile, counts);
+    trace(invocations, accumulate, constants, counts);
     constants.resume = 1;
   } while (counts[COUNTER_UNFINISHED] > 0 || counts[COUNTER_NEXT_JOB] < jobs);
   return true;
@@ -143,7 +181,7 @@ double TileTracer::warm_up() {
 
 /// Runs one dispatch and `accumulate`, which adds the pass to the film if that was the last, and books what it did.
 /// `counts`: of the dispatch before, replaced by its own.
-void TileTracer::trace(std::uint32_t invocations, const Dispatch& accumulate, const PixelRect& tile,
+void TileTracer::trace(std::uint32_t invocations, const Dispatch& accumulate, const DispatchConstants& constants,
                        std::uint32_t (&counts)[COUNTER_COUNT]) {
   std::fill(counts, counts + COUNTER_NEXT_JOB, 0u);
   std::ranges::fill(counters_.mapped(), std::byte{0});
@@ -167,8 +205,8 @@ void TileTracer::trace(std::uint32_t invocations, const Dispatch& accumulate, co
       counts[COUNTER_PRIMARY] + counts[COUNTER_SHADOW] + counts[COUNTER_REFLECTION] + counts[COUNTER_REFRACTION];
   if (searches >= kTrustedSearches) ms_per_search_ = time.device_ms / searches;
   if (counts[COUNTER_UNFINISHED] > 0 && counts[COUNTER_STUCK] == counts[COUNTER_UNFINISHED]) {
-    throw Error(ErrorKind::failed, "a ray in the tile at pixel " + std::to_string(tile.x) + "," +
-                                       std::to_string(tile.y) +
+    throw Error(ErrorKind::failed, "a ray in the tile at pixel " + std::to_string(constants.tile_x) + "," +
+                                       std::to_string(constants.tile_y) +
                                        " takes more steps than the driver lets a shader take; try --device");
   }
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "gpu/submission.h"
@@ -34,20 +35,33 @@ class TileTracer {
   /// that takes more steps than the driver lets a shader take.
   bool run_tile(const PixelRect& tile, const SamplePass& pass, const std::function<bool()>& stop);
 
+  /// The same for some pixels of the tile alone, each y << 16 | x within it; at most samples_of_pass(pixels) at once.
+  /// The specialization lists pixels.
+  bool run_pixels(const PixelRect& tile, std::span<const std::uint32_t> pixels, const SamplePass& pass,
+                  const std::function<bool()>& stop);
+
+  /// Samples of a pass at most over so many listed pixels (at least 1) of a tile.
+  std::uint32_t samples_of_pass(std::size_t pixels) const;
+
  private:
+  bool run_jobs(DispatchConstants constants, std::uint64_t jobs, const Dispatch& accumulate,
+                const std::function<bool()>& stop);
+  DispatchConstants pass_constants(const PixelRect& tile, const SamplePass& pass);
+  const BindingSet& accumulate_bindings(const PixelRect& tile) const;
   void note_saved(const RenderSettings& settings);
   double warm_up();
-  void trace(std::uint32_t invocations, const Dispatch& accumulate, const PixelRect& tile,
+  void trace(std::uint32_t invocations, const Dispatch& accumulate, const DispatchConstants& constants,
              std::uint32_t (&counts)[COUNTER_COUNT]);
 
   const GpuScene& scene_;
   Submitter submitter_;
+  std::uint64_t sample_bytes_;
   glm::ivec2 tile_;
   std::uint32_t most_samples_;
   double wanted_ms_;
   std::uint32_t invocations_;
   Film& film_;
-  Buffer counters_, paths_, samples_, unused_, dispatch_;
+  Buffer counters_, paths_, samples_, pixels_, unused_, dispatch_;
   ComputePipeline trace_, accumulate_;
   BindingSet trace_bindings_;
   std::vector<BindingSet> accumulate_bindings_;

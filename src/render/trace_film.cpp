@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "render/adaptive_trace.h"
 #include "render/tile_schedule.h"
 #include "render/tile_tracer.h"
 
@@ -21,11 +22,27 @@ RenderProgress progress_at(double share, const RayCounts& rays, double seconds) 
           .rays = total(rays)};
 }
 
+/// Every sample of the settings at every pixel, pass by pass.
+void trace_passes(TileTracer& tracer, const RenderSettings& settings, const std::function<bool()>& stop,
+                  const std::function<void(double)>& progress) {
+  const std::vector<PixelRect> tiles = tracer.tiles();
+  const double sample_count = static_cast<double>(settings.sample_end - settings.sample_begin);
+  for (const SamplePass& pass : schedule_passes(settings.sample_begin, settings.sample_end, tracer.most_samples())) {
+    for (std::size_t t = 0; t < tiles.size(); ++t) {
+      if (!tracer.run_tile(tiles[t], pass, stop)) return;
+      const double pass_share = pass.length() * static_cast<double>(t + 1) / static_cast<double>(tiles.size());
+      progress((pass.begin - settings.sample_begin + pass_share) / sample_count);
+    }
+  }
+}
+
 }  // namespace
 
 FilmTracer::FilmTracer(const Device& device, const GpuScene& scene, SceneLoads loads,
                        const TraceSpecialization& specialization, const RenderSettings& settings, Film& film)
-    : settings_(settings),
+    : device_(device),
+      settings_(settings),
+      film_(film),
       tracer_(std::make_unique<TileTracer>(device, scene, loads, specialization, settings, film)) {}
 
 FilmTracer::~FilmTracer() = default;
@@ -37,22 +54,17 @@ TraceStatistics FilmTracer::trace(const RenderCallbacks& callbacks) {
   const auto stop = [&] {
     return (callbacks.cancelled && callbacks.cancelled()) || seconds() > settings_.time_limit_s;
   };
-  const std::vector<PixelRect> tiles = tracer_->tiles();
-  const std::vector<SamplePass> passes =
-      schedule_passes(settings_.sample_begin, settings_.sample_end, tracer_->most_samples());
-  const double sample_count = static_cast<double>(settings_.sample_end - settings_.sample_begin);
-  bool going = true;
-  for (std::size_t p = 0; going && p < passes.size(); ++p) {
-    for (std::size_t t = 0; going && t < tiles.size(); ++t) {
-      going = tracer_->run_tile(tiles[t], passes[p], stop);
-      if (!callbacks.progress) continue;
-      const double pass_share =
-          (passes[p].end - passes[p].begin) * static_cast<double>(t + 1) / static_cast<double>(tiles.size());
-      const double done = (passes[p].begin - settings_.sample_begin + pass_share) / sample_count;
-      callbacks.progress(progress_at(done, tracer_->statistics().rays, seconds()));
-    }
+  const auto progress = [&](double share) {
+    if (callbacks.progress) callbacks.progress(progress_at(share, tracer_->statistics().rays, seconds()));
+  };
+  std::optional<ErrorEstimate> error;
+  if (settings_.error_target) {
+    error = trace_to_target(device_, *tracer_, film_, settings_, stop, progress);
+  } else {
+    trace_passes(*tracer_, settings_, stop, progress);
   }
   TraceStatistics statistics = tracer_->statistics();
+  statistics.error = error;
   if (!statistics.effect_runs.by_depth.empty()) statistics.effect_runs.by_depth[0].path = statistics.rays.primary;
   statistics.wall_ms = seconds() * 1000.0;
   return statistics;

@@ -22,14 +22,16 @@ class FilmTracer {
   ~FilmTracer();
   FilmTracer(FilmTracer&&) noexcept;
 
-  /// Adds the samples of the settings to the film, tile by tile and pass by pass, in dispatches of about
-  /// settings.dispatch_ms. Stops between dispatches when cancelled or past the time limit. What it took adds up over
-  /// all traces, but for wall_ms, which is this one's. Throws Error(device_lost), and Error(failed) when a single ray
-  /// takes more steps than the driver lets a shader take.
+  /// Adds the samples of the settings to the film, tile by tile and pass by pass, or what their error target asks for
+  /// (trace_to_target), in dispatches of about settings.dispatch_ms. Stops between dispatches when cancelled or past
+  /// the time limit. What it took adds up over all traces, but for wall_ms, which is this one's. Throws
+  /// Error(device_lost), and Error(failed) when a single ray takes more steps than the driver lets a shader take.
   TraceStatistics trace(const RenderCallbacks& callbacks);
 
  private:
+  const Device& device_;
   RenderSettings settings_;
+  Film& film_;
   std::unique_ptr<TileTracer> tracer_;
 };
 

@@ -19,6 +19,7 @@ struct TraceSpecialization {
   std::uint32_t path_stack = 0;       ///< rays that can wait
   bool count_cost = false;
   bool count_effects = false;                      ///< trace kernel only
+  bool listed_pixels = false;                      ///< dispatches have a list of their pixels
   std::uint32_t levels = LEVELS_OF(LEVEL_ROBUST);  ///< numeric level of each spot (shared/accuracy.h)
 };
 

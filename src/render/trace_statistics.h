@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "render/error_estimate.h"
 #include "render/render_statistics.h"
 
 namespace vernier {
@@ -16,6 +18,7 @@ struct TraceStatistics {
   std::vector<PipelineTime> pipelines;  ///< with the first dispatch, at which some drivers compile
   EffectRuns effect_runs;               ///< empty unless the specialization counts effects
   std::uint64_t device_bytes = 0;       ///< of the buffers that tracing alone needs
+  std::optional<ErrorEstimate> error;   ///< with an error target, once there is one
   SavedMemory saved;                    ///< of these buffers
 };
 

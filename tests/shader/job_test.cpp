@@ -30,6 +30,28 @@ TEST(Job, every_sample_of_every_pixel_is_one_job) {
   }
 }
 
+TEST(Job, listed_pixels_have_all_their_samples) {
+  Memory scene;
+  scene.pixels = {0, 3, 5u << 16 | 7, 12u << 16};
+  scene.dispatch.tile_width = 8;
+  scene.dispatch.tile_height = 13;
+  scene.dispatch.pixel_count = 4;
+  scene.dispatch.sample_begin = 2;
+  scene.dispatch.sample_end = 5;
+  const BoundMemory bound(scene);
+  LISTED_PIXELS = true;
+  ASSERT_EQ(job_count(), 12u);
+  for (uint number = 0; number < job_count() + 3; ++number) {
+    const Job job = job_at(number);  // beyond the last pixel: of the last one, nothing outside is read
+    const uint pixel = scene.pixels[std::min(number / 3, 3u)];
+    EXPECT_EQ(job.x, pixel & 0xffffu);
+    EXPECT_EQ(job.y, pixel >> 16);
+    EXPECT_TRUE(number >= job_count() || job.sample_index == 2 + number % 3);
+    EXPECT_TRUE(is_in_tile(job));
+  }
+  LISTED_PIXELS = false;
+}
+
 TEST(Job, division_is_exact) {
   RandomValues random(31);
   for (int i = 0; i < 200000; ++i) {

@@ -15,7 +15,7 @@ struct Memory {
   RenderConstants render{};
   DispatchConstants dispatch{};
   std::vector<glm::uvec4> records, triangles, vertices, materials, lights, textures, paths, samples;
-  std::vector<std::uint32_t> texels, triangle_ids, film, counters, aovs;
+  std::vector<std::uint32_t> texels, triangle_ids, film, counters, aovs, pixels;
 };
 
 /// The memory the running thread's shader functions read and write. The test owns it.

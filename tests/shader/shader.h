@@ -61,6 +61,7 @@ bool SHIFT_STACK = false;
 uint PATH_STACK_SIZE = 18u;
 bool COUNT_COST = false;
 bool COUNT_EFFECTS = false;
+bool LISTED_PIXELS = false;
 uint LEVELS = LEVELS_OF(LEVEL_ROBUST);
 uint MUTATION = MUTATION_NONE;
 bool effect_on(uint effect) {
@@ -126,6 +127,9 @@ uvec4 load_sample(uint i) {
 }
 void store_sample(uint i, uvec4 block) {
   memory->samples.at(i) = block;
+}
+uint load_pixel(uint i) {
+  return memory->pixels.at(i);
 }
 void store_aov(uint i, uint word) {
   memory->aovs.at(i) = word;

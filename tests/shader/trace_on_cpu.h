@@ -33,7 +33,7 @@ inline std::vector<std::uint32_t> film_on_cpu(const PackedScene& packed, const R
     dispatch.resume = 1;
   } while (scene.counters[COUNTER_UNFINISHED] > 0 || scene.counters[COUNTER_NEXT_JOB] < job_count());
   for (std::uint32_t y = 0; y < height; ++y) {
-    for (std::uint32_t x = 0; x < width; ++x) accumulate_samples(x, y);
+    for (std::uint32_t x = 0; x < width; ++x) accumulate_samples(x, y, first_job_of(x, y));
   }
   return scene.film;
 }

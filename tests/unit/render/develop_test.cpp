@@ -44,6 +44,7 @@ TEST(Develop, alpha_and_cost_are_shares_of_the_samples) {
   EXPECT_EQ(film.cost, (std::vector<float>{2.5f, 5.0f, 7.5f}));
   EXPECT_EQ(film.sample_count, (std::vector<std::uint32_t>{4}));
   EXPECT_EQ(film.least_samples, 4u);
+  EXPECT_EQ(film.mean_samples, 4.0);
 }
 
 TEST(Develop, a_pixel_without_samples_is_black) {
