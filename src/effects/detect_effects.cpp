@@ -5,15 +5,19 @@
 #include <sstream>
 
 #include "effects/effect_names.h"
+#include "effects/effective_material.h"
+#include "effects/light_reach.h"
 #include "effects/material_terms.h"
+#include "effects/texture_values.h"
 #include "effects/used_materials.h"
 
 namespace vernier {
 namespace {
 
-// What all rules look at: the materials that can be seen, each with its terms and its name for a reason.
+// What all rules look at: the materials that can be seen as their textures leave them, each with its terms and its name
+// for a reason.
 struct SeenMaterial {
-  const Material* material;
+  Material material;
   MaterialUsage usage;
   MaterialTerms terms;
   unsigned texture_slots;
@@ -53,14 +57,25 @@ std::string to_text(const glm::vec3& value) {
   return text.str();
 }
 
+std::vector<bool> used_textures(const Scene& scene, const std::vector<MaterialUsage>& usage) {
+  std::vector<bool> used(scene.textures.size());
+  for (std::size_t index = 0; index < usage.size(); ++index) {
+    for (const TextureUse& use : scene.materials[index].textures) {
+      if (usage[index].used && use.texture >= 0) used[static_cast<std::size_t>(use.texture)] = true;
+    }
+  }
+  return used;
+}
+
 std::vector<SeenMaterial> seen_materials(const Scene& scene) {
   std::vector<SeenMaterial> seen;
   const std::vector<MaterialUsage> usage = used_materials(scene);
+  const std::vector<TextureValues> values = texture_values(scene, used_textures(scene, usage));
   for (std::size_t index = 0; index < usage.size(); ++index) {
     if (usage[index].used) {
-      const Material& material = scene.materials[index];
+      const Material material = effective_material(scene.materials[index], values, usage[index].vertex_colors);
       const MaterialTerms terms = material_terms(material, usage[index]);
-      seen.push_back({&material, usage[index], terms, counted_texture_slots(material, terms),
+      seen.push_back({material, usage[index], terms, counted_texture_slots(material, terms),
                       label_of("material", index, material.name)});
     }
   }
@@ -74,9 +89,9 @@ std::uint32_t kind_bit(LightKind kind) {
   return kind == LightKind::spot ? EFFECT_SPOT_LIGHTS : EFFECT_POINT_LIGHTS;
 }
 
-bool shines(const Light& light) {
-  const bool reaches = light.kind == LightKind::directional || light.range != 0.0;
-  return !is_zero(light.intensity) && reaches;
+bool shines(const Light& light, const WorldBox& box) {
+  if (is_zero(light.intensity)) return false;
+  return light.kind == LightKind::directional || (light.range != 0.0 && light_reaches(light, box));
 }
 
 void detect_lights(EffectSet& effects, const Scene& scene, const std::vector<SeenMaterial>& seen) {
@@ -86,9 +101,10 @@ void detect_lights(EffectSet& effects, const Scene& scene, const std::vector<See
     lit = !lit && (one.terms.diffuse || one.terms.specular) ? &one : lit;
     glossy = !glossy && one.terms.specular ? &one : glossy;
   }
+  const WorldBox box = lit ? world_box(scene) : WorldBox{};
   for (std::size_t index = 0; lit && index < scene.lights.size(); ++index) {
     const Light& light = scene.lights[index];
-    if (!shines(light)) {
+    if (!shines(light, box)) {
       continue;
     }
     const std::string falls_on = label_of("light", index, light.name) + " falls on ";
@@ -101,7 +117,7 @@ void detect_lights(EffectSet& effects, const Scene& scene, const std::vector<See
 }
 
 void detect_coverage(EffectSet& effects, const SeenMaterial& seen) {
-  const Material& material = *seen.material;
+  const Material& material = seen.material;
   std::string lets_through;
   if (seen.terms.transmission) {
     lets_through = seen.label + ": transmission " + to_text(material.transmission);
@@ -121,18 +137,18 @@ void detect_coverage(EffectSet& effects, const SeenMaterial& seen) {
 
 void detect_bounces(EffectSet& effects, const SeenMaterial& seen, int max_bounces) {
   const MaterialTerms& terms = seen.terms;
-  const bool followed = max_bounces > 0 && !seen.material->unlit;
+  const bool followed = max_bounces > 0 && !seen.material.unlit;
   if (terms.mirror && followed) {
     switch_on(effects, EFFECT_REFLECTION,
               seen.label + (terms.transmission ? ": reflects at its interface" : ": mirrors"));
   }
   if (terms.transmission && followed) {
-    switch_on(effects, EFFECT_REFRACTION, seen.label + ": transmission " + to_text(seen.material->transmission));
+    switch_on(effects, EFFECT_REFRACTION, seen.label + ": transmission " + to_text(seen.material.transmission));
   }
   // Shadow rays through a volume are absorbed too, whatever the number of bounces.
   if (terms.absorption && (followed || (effects.bits & EFFECT_TINTED_SHADOWS))) {
     switch_on(effects, EFFECT_ABSORPTION,
-              seen.label + ": absorption " + to_text(seen.material->absorption) + " per metre");
+              seen.label + ": absorption " + to_text(seen.material.absorption) + " per metre");
   }
 }
 
@@ -148,10 +164,10 @@ void detect_textures(EffectSet& effects, const Scene& scene, const SeenMaterial&
   for (const SlotEffect& slot : kSlotEffects) {
     const bool unseen = slot.slot == TEXTURE_SLOT_OCCLUSION && !(effects.bits & EFFECT_AMBIENT);
     if ((seen.texture_slots & 1u << slot.slot) && !unseen) {
-      const auto index = static_cast<std::size_t>(seen.material->textures[slot.slot].texture);
+      const auto index = static_cast<std::size_t>(seen.material.textures[slot.slot].texture);
       switch_on(effects, slot.bit,
                 seen.label + ": " + slot.what + " " + label_of("texture", index, scene.textures[index].name));
-      detect_texture_format(effects, scene, seen.material->textures[slot.slot].texture);
+      detect_texture_format(effects, scene, seen.material.textures[slot.slot].texture);
     }
   }
 }
@@ -165,9 +181,9 @@ void detect_surface(EffectSet& effects, const SeenMaterial& seen) {
     switch_on(effects, EFFECT_VERTEX_COLORS, seen.label + " lies on triangles with vertex colours");
   }
   if (terms.emission) {
-    switch_on(effects, EFFECT_EMISSION, seen.label + ": emission " + to_text(seen.material->emission));
+    switch_on(effects, EFFECT_EMISSION, seen.label + ": emission " + to_text(seen.material.emission));
   }
-  if (seen.material->unlit) {
+  if (seen.material.unlit) {
     switch_on(effects, EFFECT_UNLIT, seen.label);
   }
 }
