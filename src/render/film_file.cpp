@@ -97,8 +97,8 @@ void check_header(const std::string& path, const FileHeader& header, std::uint64
   const bool sound = is_side(header.width) && is_side(header.height) && is_side(header.tile_width) &&
                      is_side(header.tile_height) && header.x >= 0 && header.y >= 0 && header.recipe_bytes <= rest;
   if (!sound) refuse(path, "is damaged");
-  const std::uint64_t words = std::uint64_t{FILM_WORDS} * static_cast<std::uint64_t>(header.width) *
-                              static_cast<std::uint64_t>(header.height);
+  const std::uint64_t words =
+      std::uint64_t{FILM_WORDS} * static_cast<std::uint64_t>(header.width) * static_cast<std::uint64_t>(header.height);
   if (header.sum_words != 0 && header.sum_words != words) refuse(path, "is damaged");
   const std::uint64_t expected = header.recipe_bytes + 4 * header.sum_words;
   if (rest < expected) refuse(path, "is cut short");

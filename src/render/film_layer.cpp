@@ -11,7 +11,7 @@ namespace {
 
 /// In the order of the film's words.
 const std::array<std::string, FILM_WORDS> kChannels = {
-    "red_low",  "red_middle", "red_high", "green_low",  "green_middle",     "green_high", "blue_low", "blue_middle",
+    "red_low",   "red_middle", "red_high", "green_low",  "green_middle",     "green_high", "blue_low", "blue_middle",
     "blue_high", "hits",       "samples",  "non_finite", "first_non_finite", "rays",       "nodes",    "triangles"};
 static_assert(FILM_BLUE + 3 == FILM_HITS && FILM_TRIANGLES + 1 == FILM_WORDS);
 

@@ -14,6 +14,8 @@
 namespace vernier {
 namespace {
 
+constexpr int kLargestSide = 65536;  // of an image, as --size has it
+
 [[noreturn]] void refuse(const std::string& name, const std::string& reason) {
   throw Error(ErrorKind::refused, name + ": " + reason);
 }
@@ -33,6 +35,8 @@ void check_part(const ImagePart& part, const ImagePart& first, std::uint32_t spp
                           " pixels, " + first.name + " of " + std::to_string(first.image.full_width) + "x" +
                           std::to_string(first.image.full_height));
   }
+  if (image.full_width > kLargestSide || image.full_height > kLargestSide)
+    refuse(part.name, "is of too large an image");
   if (image.x < 0 || image.y < 0 || image.width > image.full_width - image.x ||
       image.height > image.full_height - image.y) {
     refuse(part.name, "reaches beyond its full image");
@@ -76,9 +80,8 @@ std::set<std::int64_t> starts_along(const PartRefs& parts, End end) {
 template <typename Begin, typename Length>
 PartRefs parts_at(const PartRefs& parts, std::int64_t place, Begin begin, Length length) {
   PartRefs there;
-  std::ranges::copy_if(parts, std::back_inserter(there), [&](const ImagePart* part) {
-    return overlap(place, 1, begin(*part), length(*part));
-  });
+  std::ranges::copy_if(parts, std::back_inserter(there),
+                       [&](const ImagePart* part) { return overlap(place, 1, begin(*part), length(*part)); });
   return there;
 }
 
@@ -86,8 +89,8 @@ PartRefs parts_at(const PartRefs& parts, std::int64_t place, Begin begin, Length
 [[noreturn]] void refuse_missing(const PartRefs& all, std::uint32_t spp) {
   const ImageFile& image = all.front()->image;
   for (const std::int64_t y : starts_along(all, [](const ImagePart& p) { return p.image.y + p.image.height; })) {
-    const PartRefs in_row =
-        parts_at(all, y, [](const ImagePart& p) { return p.image.y; }, [](const ImagePart& p) { return p.image.height; });
+    const PartRefs in_row = parts_at(
+        all, y, [](const ImagePart& p) { return p.image.y; }, [](const ImagePart& p) { return p.image.height; });
     for (const std::int64_t x : starts_along(in_row, [](const ImagePart& p) { return p.image.x + p.image.width; })) {
       const PartRefs at_pixel = parts_at(
           in_row, x, [](const ImagePart& p) { return p.image.x; }, [](const ImagePart& p) { return p.image.width; });
@@ -185,8 +188,8 @@ void add_film(const ImagePart& part, Canvas& canvas) {
   for_each_pixel(part.image, [&](std::size_t from, std::size_t to) {
     const std::span words = std::span(film).subspan(from * FILM_WORDS, FILM_WORDS);
     if (words[FILM_SAMPLES] != part.sample_end - part.sample_begin) {
-      refuse(part.name, "lacks samples of pixel " + place_text(part.image.x + from % part.image.width,
-                                                               part.image.y + from / part.image.width));
+      refuse(part.name, "lacks samples of pixel " +
+                            place_text(part.image.x + from % part.image.width, part.image.y + from / part.image.width));
     }
     for (const std::uint32_t color : {FILM_RED, FILM_GREEN, FILM_BLUE}) {
       if (words[color + 2] == FILM_PLAIN_SUM) refuse(part.name, "has sums of floats, which have other bits in parts");

@@ -111,7 +111,8 @@ class TraceRun {
   /// Share of the samples that are done.
   double share() const {
     const auto pass = std::ranges::find(passes_, position_.pass_begin, &SamplePass::begin);
-    const double pass_share = pass->length() * static_cast<double>(position_.tiles_done) / static_cast<double>(tiles_.size());
+    const double pass_share =
+        pass->length() * static_cast<double>(position_.tiles_done) / static_cast<double>(tiles_.size());
     return (pass->begin - settings_.sample_begin + pass_share) / (settings_.sample_end - settings_.sample_begin);
   }
 
