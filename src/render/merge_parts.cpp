@@ -20,6 +20,10 @@ constexpr int kLargestSide = 65536;  // of an image, as --size has it
   throw Error(ErrorKind::refused, name + ": " + reason);
 }
 
+std::string title_of(const std::string& layer) {
+  return layer.empty() ? "colours" : "layer `" + layer + "`";
+}
+
 std::string place_text(std::int64_t x, std::int64_t y) {
   return std::to_string(x) + "," + std::to_string(y);
 }
@@ -171,7 +175,7 @@ Canvas empty_canvas(const ImagePart& first, const std::vector<std::string>& aovs
   names.insert(names.begin(), "");
   for (const std::string& name : names) {
     const Layer* model = find_layer(first.image, name);
-    if (model == nullptr) refuse(first.name, "has no layer `" + name + "`");
+    if (model == nullptr) refuse(first.name, "lacks " + title_of(name));
     Layer layer = *model;
     std::visit([&](auto& values) { values.assign(canvas.pixel_count() * layer.channels.size(), {}); }, layer.values);
     canvas.image.layers.push_back(std::move(layer));
@@ -201,7 +205,7 @@ void add_film(const ImagePart& part, Canvas& canvas) {
 void paste(const ImagePart& part, Canvas& canvas) {
   for (Layer& layer : canvas.image.layers) {
     const Layer* own = find_layer(part.image, layer.name);
-    if (own == nullptr || !same_shape(*own, layer)) refuse(part.name, "lacks layer `" + layer.name + "`");
+    if (own == nullptr || !same_shape(*own, layer)) refuse(part.name, "lacks " + title_of(layer.name));
     copy_layer(*own, layer, [&](auto copy) { for_each_pixel(part.image, copy); });
   }
 }
