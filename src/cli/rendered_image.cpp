@@ -50,7 +50,7 @@ RenderResult render_with_progress(const Device& device, const SceneSetup& setup,
     return render_image(device, setup.scene, setup.camera, plan.settings, callbacks);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::device_lost) throw;
-    const bool saved = checkpoint && (checkpoint->is_saved() || resumed);
+    const bool saved = checkpoint && (checkpoint->is_saved() || plan.resume == plan.checkpoint);
     const std::string hint =
         saved ? resume_hint(plan, device.description().name) : "; nothing was saved, see --checkpoint";
     throw Error(error.kind(), error.what() + hint);

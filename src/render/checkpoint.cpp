@@ -54,7 +54,6 @@ void Checkpoint::write(const SavedFilm& film) {
     write_film_file(file_, film);
     saved_ = true;
   } catch (const Error& error) {
-    saved_ = false;
     warn_(std::string(error.what()) + "; the render goes on");
   }
 }

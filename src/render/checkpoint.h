@@ -30,7 +30,7 @@ class Checkpoint {
   bool is_due(std::uint64_t film_bytes) const;
   /// Saves `film` at `position`; `statistics` say what it took so far. Waits for the device.
   void save(const Device& device, const Film& film, const TracePosition& position, const TraceStatistics& statistics);
-  /// Whether the last save wrote its file.
+  /// Whether a save has written the file; one that fails later leaves it.
   bool is_saved() const { return saved_; }
 
  private:
