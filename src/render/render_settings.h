@@ -44,6 +44,7 @@ struct RenderSettings {
   double time_limit_s = std::numeric_limits<double>::infinity();
   std::uint32_t seed = 0;
   bool count_effects = false;     ///< counts how often each effect runs: slower, never changes a bit
+  bool film_layer = false;        ///< adds the layer `film` (film_layer.h): the sums, for merging
   std::vector<std::string> aovs;  ///< names of cli.md's --aov
 };
 
