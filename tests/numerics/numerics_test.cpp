@@ -1,6 +1,7 @@
 // The numeric suite on two drivers: every case at the levels that promise something, and every seeded fault.
 #include "gpu/device_test.h"
 #include "numerics/known_failures.h"
+#include "verify/image_cases.h"
 #include "verify/mutations.h"
 
 namespace vernier {
@@ -48,6 +49,14 @@ TEST_P(NumericsTest, meets_its_target) {
 INSTANTIATE_TEST_SUITE_P(Catalogue, NumericsTest, testing::ValuesIn(all_cases()),
                          [](const testing::TestParamInfo<CaseAtLevel>& one) { return name_of(one.param); });
 
+/// The faults that cases of single functions and rays see; PictureWitnessTest has the others.
+std::vector<Mutation> faults_of_functions() {
+  std::vector<Mutation> faults(mutations().begin(), mutations().end());
+  for (Mutation& one : faults) std::erase_if(one.cases, is_image_case);
+  std::erase_if(faults, [](const Mutation& one) { return one.cases.empty(); });
+  return faults;
+}
+
 class MutationTest : public DeviceTest, public testing::WithParamInterface<Mutation> {};
 
 TEST_P(MutationTest, is_caught) {
@@ -64,8 +73,42 @@ TEST_P(MutationTest, is_caught) {
   EXPECT_TRUE(caught) << GetParam().what;
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeded, MutationTest, testing::ValuesIn(mutations().begin(), mutations().end()),
+INSTANTIATE_TEST_SUITE_P(Seeded, MutationTest, testing::ValuesIn(faults_of_functions()),
                          [](const testing::TestParamInfo<Mutation>& one) { return std::string(one.param.name); });
+
+/// A fault, and a case of the images that names itself its witness.
+struct Witness {
+  Mutation mutation;
+  const char* picture;
+};
+
+std::vector<Witness> picture_witnesses() {
+  std::vector<Witness> witnesses;
+  for (const Mutation& mutation : mutations()) {
+    for (const char* name : mutation.cases) {
+      if (is_image_case(name)) witnesses.push_back({mutation, name});
+    }
+  }
+  return witnesses;
+}
+
+class PictureWitnessTest : public DeviceTest, public testing::WithParamInterface<Witness> {};
+
+// Single functions have many cases that may notice, a kind of picture has itself: each has to see what it says it does.
+TEST_P(PictureWitnessTest, sees_the_fault) {
+  CaseSetup setup;
+  setup.device = &device();
+  // As many as NumericsTest takes, which has shown that the case holds without the fault.
+  setup.sample_count = 1u << 13;
+  const VerifyCase* verify_case = find_case(GetParam().picture);
+  ASSERT_NE(verify_case, nullptr);
+  EXPECT_FALSE(run_case(*verify_case, seeded(setup, GetParam().mutation)).held) << GetParam().mutation.what;
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeded, PictureWitnessTest, testing::ValuesIn(picture_witnesses()),
+                         [](const testing::TestParamInfo<Witness>& one) {
+                           return std::string(one.param.picture) + "_" + one.param.mutation.name;
+                         });
 
 }  // namespace
 }  // namespace vernier
