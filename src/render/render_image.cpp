@@ -169,7 +169,8 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   gpu_scene.set_constants(device, packed.constants, packed.steering);
   TraceSpecialization specialization = specialize(statistics.effects.bits, packed.bvh.depth, settings.max_bounces,
                                                   wants(settings, "cost"), device.description());
-  specialization.levels = levels_of(settings.accuracy);
+  specialization.levels = settings.spot_levels.value_or(levels_of(settings.accuracy));
+  specialization.mutation = settings.mutation;
   specialization.count_effects = settings.count_effects;
   specialization.listed_pixels = settings.error_target.has_value();
   statistics.spirv_hash = trace_spirv_hash(loads);
