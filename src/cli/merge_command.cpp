@@ -43,6 +43,7 @@ std::map<std::string, std::string> whole_recipe(const ImagePart& part) {
   options.erase("sample-range");
   metadata["vernier:options"] = options.dump();
   metadata.erase("vernier:cost_legend");
+  metadata.try_emplace("vernier:scene", "");  // not kept where empty
   return metadata;
 }
 

@@ -87,7 +87,8 @@ RenderCommandArguments read_recipe(const std::string& name, const Metadata& meta
     if (place == places.end()) refuse(name, "its recipe has --" + option + ", which this version does not know");
     *place->second = string_of(name, option, value);
   }
-  arguments.scene.scene = text_of(name, metadata, "vernier:scene");
+  // OpenEXR keeps no empty text: the built-in scene has no name.
+  if (metadata.contains("vernier:scene")) arguments.scene.scene = metadata.at("vernier:scene");
   arguments.device = text_of(name, metadata, "vernier:device");
   if (arguments.device == "reference") refuse(name, "is an image of vernier reference, not of a render");
   if (metadata.contains("vernier:exposure")) arguments.exposure = metadata.at("vernier:exposure");

@@ -38,6 +38,13 @@ class MergeTest(ProgramTest):
             self.check_error(REFUSED, line, "merge", *parts, "-o", "x.exr")
         self.assertNotIn("x.exr", self.files())
 
+    def test_parts_of_the_built_in_scene(self):
+        render = ["render", "--size", "16x9", "--spp", "2", "--quiet", "-o"]
+        self.check_done(*render, "whole.exr")
+        self.check_done(*render, "a.exr", "--sample-range", "0:1")
+        self.check_done(*render, "b.exr", "--sample-range", "1:2")
+        self.assertEqual(self.merge("a.exr", "b.exr"), (self.folder / "whole.exr").read_bytes())
+
     def test_what_was_rendered_otherwise_is_refused(self):
         first = self.render("a.exr", "--sample-range", "0:6")
         for options, said in [(["--seed", "1"], "--seed is `1`, there `0`"), (["--max-bounces", "2"], "--max-bounces is `2`, there `8`"),
@@ -55,7 +62,7 @@ class MergeTest(ProgramTest):
 
     def test_what_is_no_part_is_refused(self):
         self.check_error(USAGE, "-o", "merge", "a.exr")
-        self.check_error(REFUSED, "a.exr: there is no such file", "merge", "a.exr", "-o", "x.exr")
+        self.check_error(REFUSED, "a.exr: No such file or directory", "merge", "a.exr", "-o", "x.exr")
         self.render("a.png")
         self.check_error(REFUSED, "a.png: only EXR files", "merge", "a.png", "-o", "x.exr")
         self.check_done("reference", SCENE, "-o", "r.exr", "--size", "8x8", "--spp", "1", "--quiet")
