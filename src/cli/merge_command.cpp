@@ -80,8 +80,8 @@ void add_merge_command(CLI::App& app, Command& chosen) {
       ->type_name("FILE")
       ->required();
   command.footer(
-      "Example: vernier render a.glb -o a0.exr --sample-range 0:8; vernier render a.glb -o a1.exr --sample-range 8:16; "
-      "vernier merge a0.exr a1.exr -o a.exr");
+      "Example: vernier merge a0.exr a1.exr -o a.exr\n"
+      "Parts: vernier render a.glb -o a0.exr --sample-range 0:8; vernier render a.glb -o a1.exr --sample-range 8:16");
   command.callback([arguments, &chosen] { chosen = [arguments] { return run_merge(*arguments); }; });
 }
 

@@ -92,7 +92,7 @@ std::span<const Mutation> mutations() {
        "a ray that goes on leaves out what lies at the same t",
        kRobust,
        MUTATION_TIES_SKIPPED,
-       {"image_layers", "layers"}},
+       {"image_layers"}},
       {"total_lost", "total reflection ends a ray", kRobust, MUTATION_TOTAL_LOST, {"white_furnace", "reference_scene"}},
       {"medium_kept",
        "a ray that leaves a body takes its medium along",
