@@ -26,6 +26,10 @@ vec3 reflected_light(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) 
 bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_viewer, INOUT(LightVisit) visit, INOUT(vec3) sum) {
   uint light_count = steering_constants().light_count;
   bool found = false;
+  vec3 value = vec3(0.0f);
+  vec3 direction = vec3(0.0f);
+  vec3 offset = vec3(0.0f);
+  bool directional = false;
   // One variable decides, and lights_are_done() works its answer out by itself: a compiler that sees the loop end on a
   // comparison takes the outcome for granted behind it, where llvmpipe may have left the loop without.
   bool looking = visit.next_light < light_count;
@@ -40,17 +44,22 @@ bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_vi
     } else if (max3(reflected) > 0.0f) {
       found = true;
       note_run(EFFECT_SHADOWS);
-      vec3 origin = spawn_origin(surface, light.direction);
-      // Towards a point light the ray ends at t = 1, at the light; the offset of its start is taken into account.
-      visit.ray = Ray(origin, light.directional ? light.direction : light.offset + (surface.position - origin));
-      visit.t_min = 0.0f;
-      visit.after_triangle = NONE;
-      visit.t_max = light.directional ? LARGEST_FLOAT : 1.0f;
-      visit.value = reflected;
-      visit.optical_depth = vec3(0.0f);
+      value = reflected;
+      direction = light.direction;
+      offset = light.offset;
+      directional = light.directional;
     }
     looking = !found && visit.next_light < light_count;
   }
+  // Of the ray nothing matters where none was found.
+  vec3 origin = spawn_origin(surface, direction);
+  // Towards a point light the ray ends at t = 1, at the light; the offset of its start is taken into account.
+  visit.ray = Ray(origin, directional ? direction : offset + (surface.position - origin));
+  visit.t_min = 0.0f;
+  visit.after_triangle = NONE;
+  visit.t_max = directional ? LARGEST_FLOAT : 1.0f;
+  visit.value = value;
+  visit.optical_depth = vec3(0.0f);
   return found;
 }
 

@@ -92,9 +92,13 @@ PathRay restored_ray(IN(uint) first) {
   uvec4 a = load_path(first);
   uvec4 b = load_path(first + 1u);
   uvec4 c = load_path(first + 2u);
+  float t_min = 0.0f;
   uint after_triangle = NONE;
-  if (rays_pass_hits()) after_triangle = load_path(first + 3u).x;
-  return PathRay(vector_of(a), vector_of(b), vector_of(c), uintBitsToFloat(c.w), after_triangle, a.w, b.w);
+  if (rays_pass_hits()) {
+    t_min = uintBitsToFloat(c.w);
+    after_triangle = load_path(first + 3u).x;
+  }
+  return PathRay(vector_of(a), vector_of(b), vector_of(c), t_min, after_triangle, a.w, b.w);
 }
 
 // Puts `ray` on the stack of the path at `place`; a full stack drops it, which is counted and reported. The stack lies in

@@ -8,8 +8,8 @@
 #include "sample_pattern.glsl"
 #include "trace_path.glsl"
 
-// The path of job number `job`; of none for a job that does not exist or has no pixel.
-Path begun_path(IN(uint) job) {
+// Puts job number `job` into `path`, which has none; leaves it without where the job does not exist or has no pixel.
+void begin_path(INOUT(Path) path, IN(uint) job) {
   RenderConstants constants = render_constants();
   Job place = job_at(job);
   uint x = dispatch_constants().tile_x + place.x;
@@ -17,11 +17,13 @@ Path begun_path(IN(uint) job) {
   uvec2 key = mutated(MUTATION_TILE_PATTERN) ? uvec2(place.x, place.y) : uvec2(x, y);
   vec2 offset = sample_offset(key.x, key.y, place.sample_index, constants.seed, steering_constants().spp);
   Ray ray = camera_ray(vec2(float(x), float(y)) + offset);
-  Path path = no_path();
   path.job = job < job_count() && is_in_tile(place) ? job : NONE;
-  path.cost.rays = 1u;
+  path.hit = false;
+  path.radiance = vec3(0.0f);
+  path.waiting = 0u;
+  path.phase = PHASE_HIT;
+  path.cost = SampleCost(1u, 0u, 0u);
   path.current = PathRay(ray.origin, ray.direction, vec3(1.0f), 0.0f, NONE, 0u, NONE);
-  return path;
 }
 
 void store_finished_sample(IN(Path) path) {
@@ -42,16 +44,17 @@ void report_counts(IN(RayCounts) counts) {
 // a loop limit cut this off: nothing has changed then.
 bool go_on(IN(uint) place, INOUT(Path) path, IN(Found) found, INOUT(RayCounts) counts) {
   Step result = step_of(path, found);
-  if (!result.finished) return false;
-  counts.shadow += result.asks_light ? 1u : 0u;
-  if (COUNT_EFFECTS) {
+  uint shadow_rays = result.asks_light ? 1u : 0u;
+  counts.shadow += shadow_rays;
+  path.cost.rays += shadow_rays;
+  if (COUNT_EFFECTS && result.finished) {
     count_runs();
-    add_to_counter(COUNTER_SHADOW_RAYS + counted_depth(path.current.depth), result.asks_light ? 1u : 0u);
+    add_to_counter(COUNTER_SHADOW_RAYS + counted_depth(path.current.depth), shadow_rays);
   }
-  path = result.path;
-  path.cost.rays += result.asks_light ? 1u : 0u;
-  path.cost.nodes += found.nodes;
-  path.cost.triangles += found.triangles;
+  if (COUNT_COST && result.finished) {
+    path.cost.nodes += found.nodes;
+    path.cost.triangles += found.triangles;
+  }
   if (result.ray_done) {
     if (next_ray(place, path, result.children, counts)) {
       path.cost.rays++;
@@ -60,7 +63,7 @@ bool go_on(IN(uint) place, INOUT(Path) path, IN(Found) found, INOUT(RayCounts) c
       path.job = NONE;
     }
   }
-  return true;
+  return result.finished;
 }
 
 // Takes jobs of the dispatch until none is left or the budget is spent; a path that is not done at the limit behind it is
@@ -79,7 +82,7 @@ void trace_jobs(IN(uint) invocation) {
     if (path.job == NONE) {
       uint job = take_job();
       going = job < job_count();
-      path = begun_path(job);
+      begin_path(path, job);
       counts.primary += path.job != NONE ? 1u : 0u;
     }
     Found found = traverse_bvh(path_search(path));

@@ -19,11 +19,10 @@ struct Children {
 
 // What a path does at the end of a search.
 struct Step {
-  Path path;
   Children children;  // of the current ray, where it is done
   bool ray_done;
   bool asks_light;    // a shadow ray begins
-  bool finished;      // false: cut off by a loop limit, the search has to be made again
+  bool finished;      // false: cut off by a loop limit, nothing has changed and the search has to be made again
 };
 
 // `weight`, or 0 where a ray of that weight is not traced.
@@ -91,10 +90,38 @@ Search path_search(IN(Path) path) {
                 shadow ? path.visit.t_max : LARGEST_FLOAT, shadow);
 }
 
+// Emission, ambient light and the next light of the current ray's hit; with the last light, the rays that follow. `weight`
+// reaches the surface.
+void shade_lit(INOUT(Path) path, INOUT(Step) result, IN(HitSurface) surface, IN(SlotTexels) texels, IN(vec3) weight) {
+  PathRay ray = path.current;
+  SurfacePoint at = surface_point(surface.point, surface.material, texels, ray.direction);
+  vec3 radiance = vec3(0.0f);
+  if (path.phase == PHASE_HIT) {
+    radiance = surface.terms.emission;
+    if (max3(radiance) > 0.0f) note_run(EFFECT_EMISSION);
+    if (effect_on(EFFECT_AMBIENT)) {
+      note_run(EFFECT_AMBIENT);
+      radiance += surface.terms.ambient * ambient_radiance(at.normal);
+    }
+    path.visit.next_light = 0u;
+  }
+  result.ray_done = true;
+  if ((effect_on(EFFECT_POINT_LIGHTS) || effect_on(EFFECT_DIRECTIONAL_LIGHTS)) && surface.alpha > 0.0f) {
+    result.asks_light = ask_lights(at, surface.terms, -ray.direction, path.visit, radiance);
+    path.visit.value *= weight;
+    path.phase = result.asks_light ? PHASE_SHADOW : PHASE_LIGHT;
+    result.ray_done = !result.asks_light && lights_are_done(path.visit);
+  }
+  path.radiance += weight * radiance;
+  if (result.ray_done && (effect_on(EFFECT_REFLECTION) || effect_on(EFFECT_REFRACTION)) &&
+      ray.depth < render_constants().max_bounces) {
+    scatter(ray, at, surface.material, surface.terms, weight, result.children);
+  }
+}
+
 // The current ray's hit `hit` on `surface`, for the first time or once more for the next light.
-void shade(INOUT(Step) result, IN(Hit) hit, IN(HitSurface) surface, IN(SlotTexels) texels) {
-  PathRay ray = result.path.current;
-  bool first = result.path.phase == PHASE_HIT;
+void shade(INOUT(Path) path, INOUT(Step) result, IN(Hit) hit, IN(HitSurface) surface, IN(SlotTexels) texels) {
+  PathRay ray = path.current;
   vec3 weight = ray.weight;
   if (effect_on(EFFECT_ABSORPTION) && ray.medium != NONE) {
     note_run(EFFECT_ABSORPTION);
@@ -106,70 +133,51 @@ void shade(INOUT(Step) result, IN(Hit) hit, IN(HitSurface) surface, IN(SlotTexel
                                      hit.triangle, ray.depth, ray.medium);
   }
   weight *= surface.alpha;
-  result.path.hit = result.path.hit || (surface.alpha > 0.0f && ray.depth == 0u);
+  path.hit = path.hit || (surface.alpha > 0.0f && ray.depth == 0u);
+  path.visit.hit = hit;
   if (effect_on(EFFECT_UNLIT) && has_flag(surface.material, MATERIAL_UNLIT)) {
     note_run(EFFECT_UNLIT);
-    result.path.radiance += weight * surface.terms.base;
+    path.radiance += weight * surface.terms.base;
     result.ray_done = true;
-    return;
-  }
-  SurfacePoint at = surface_point(surface.point, surface.material, texels, ray.direction);
-  vec3 radiance = vec3(0.0f);
-  if (first) {
-    radiance = surface.terms.emission;
-    if (max3(radiance) > 0.0f) note_run(EFFECT_EMISSION);
-    if (effect_on(EFFECT_AMBIENT)) {
-      note_run(EFFECT_AMBIENT);
-      radiance += surface.terms.ambient * ambient_radiance(at.normal);
-    }
-    result.path.visit = no_visit();
-    result.path.visit.hit = hit;
-  }
-  result.ray_done = true;
-  if ((effect_on(EFFECT_POINT_LIGHTS) || effect_on(EFFECT_DIRECTIONAL_LIGHTS)) && surface.alpha > 0.0f) {
-    result.asks_light = ask_lights(at, surface.terms, -ray.direction, result.path.visit, radiance);
-    result.path.visit.value *= weight;
-    result.path.phase = result.asks_light ? PHASE_SHADOW : PHASE_LIGHT;
-    result.ray_done = !result.asks_light && lights_are_done(result.path.visit);
-  }
-  result.path.radiance += weight * radiance;
-  if (result.ray_done && (effect_on(EFFECT_REFLECTION) || effect_on(EFFECT_REFRACTION)) &&
-      ray.depth < render_constants().max_bounces) {
-    scatter(ray, at, surface.material, surface.terms, weight, result.children);
+  } else {
+    shade_lit(path, result, surface, texels, weight);
   }
 }
 
-// What comes of the answer to the path's search.
-Step step_of(IN(Path) path, IN(Found) found) {
-  Step result = Step(path, Children(no_ray(), no_ray(), no_ray()), false, false, found.finished);
+// Takes the path on by the answer to its search. Functions have one way out: compilers turn another into more branches, and
+// llvmpipe pays for every word of a path at the end of each.
+Step step_of(INOUT(Path) path, IN(Found) found) {
+  Step result = Step(Children(no_ray(), no_ray(), no_ray()), false, false, found.finished);
   bool struck = found.hit.triangle != NONE;
   bool looks_for_hit = path.phase == PHASE_HIT;
   bool in_the_way = effect_on(EFFECT_TINTED_SHADOWS) && path.phase == PHASE_SHADOW && struck && !found.is_opaque;
-  if (path.phase == PHASE_SHADOW && !struck) result.path.radiance += arriving_light(path.visit);
   if (looks_for_hit && !struck) {
-    result.path.radiance += path.current.weight * environment_radiance(path.current.direction);
-    result.ray_done = true;
-    return result;
-  }
-  // A shadow ray that got through, or ended, leads back to the hit it left: to the next light there.
-  Hit hit = path.visit.hit;
-  if (looks_for_hit || in_the_way) hit = found.hit;
-  HitSurface surface;
-  Ray ray = Ray(path.current.origin, path.current.direction);
-  if (in_the_way) ray = path.visit.ray;
-  surface.point = triangle_point(ray, hit);
-  surface.material = fetch_material(surface.point.vertices.w);
-  SlotTexels texels = fetch_slot_texels(surface.point, surface.material, readable_slots());
-  vec4 color = vertex_color(surface.point);
-  surface.terms = shading_terms(surface.material, texels, first_three(color));
-  surface.alpha = rays_pass_hits() ? surface_alpha(surface.material, texels, color) : 1.0f;
-  result.finished = found.finished && texels.finished;
-  if (in_the_way) {
-    note_run(EFFECT_TINTED_SHADOWS);
-    pass_surface(result.path.visit, hit, surface);
-    result.path.phase = max3(result.path.visit.value) > 0.0f ? PHASE_SHADOW : PHASE_LIGHT;
+    if (found.finished) path.radiance += path.current.weight * environment_radiance(path.current.direction);
+    result.ray_done = found.finished;
   } else {
-    shade(result, hit, surface, texels);
+    // A shadow ray that got through, or ended, leads back to the hit it left: to the next light there.
+    Hit hit = path.visit.hit;
+    if (looks_for_hit || in_the_way) hit = found.hit;
+    HitSurface surface;
+    Ray ray = Ray(path.current.origin, path.current.direction);
+    if (in_the_way) ray = path.visit.ray;
+    surface.point = triangle_point(ray, hit);
+    surface.material = fetch_material(surface.point.vertices.w);
+    SlotTexels texels = fetch_slot_texels(surface.point, surface.material, readable_slots());
+    vec4 color = vertex_color(surface.point);
+    surface.terms = shading_terms(surface.material, texels, first_three(color));
+    surface.alpha = rays_pass_hits() ? surface_alpha(surface.material, texels, color) : 1.0f;
+    result.finished = found.finished && texels.finished;
+    if (result.finished) {
+      if (path.phase == PHASE_SHADOW && !struck) path.radiance += arriving_light(path.visit);
+      if (in_the_way) {
+        note_run(EFFECT_TINTED_SHADOWS);
+        pass_surface(path.visit, hit, surface);
+        path.phase = max3(path.visit.value) > 0.0f ? PHASE_SHADOW : PHASE_LIGHT;
+      } else {
+        shade(path, result, hit, surface, texels);
+      }
+    }
   }
   return result;
 }
@@ -189,17 +197,16 @@ bool next_ray(IN(uint) place, INOUT(Path) path, IN(Children) children, INOUT(Ray
   // The deepest ray goes first and what passes waits lowest: so at most two rays wait per depth.
   if (passed && (reflected || refracted)) push_ray(place, path, counts, children.passed);
   if (reflected && refracted) push_ray(place, path, counts, children.reflected);
-  if (refracted) {
-    path.current = children.refracted;
-  } else if (reflected) {
-    path.current = children.reflected;
-  } else if (passed) {
-    path.current = children.passed;
-  } else {
-    if (PATH_STACK_SIZE == 0u || path.waiting == 0u) return false;
-    path.current = pop_ray(place, path);
+  PathRay next = children.passed;
+  if (reflected) next = children.reflected;
+  if (refracted) next = children.refracted;
+  bool goes_on = reflected || refracted || passed;
+  if (!goes_on && PATH_STACK_SIZE > 0u && path.waiting > 0u) {
+    next = pop_ray(place, path);
+    goes_on = true;
   }
-  return true;
+  path.current = next;
+  return goes_on;
 }
 
 #endif
