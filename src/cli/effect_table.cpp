@@ -19,12 +19,4 @@ std::string effect_table(const EffectSet& effects) {
   return table + std::to_string(on_count) + " of " + std::to_string(effects.reasons.size()) + " effects on\n";
 }
 
-nlohmann::ordered_json effects_json(const std::string& scene, const EffectSet& effects) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const EffectReason& effect : effects.reasons) {
-    list.push_back({{"name", effect.name}, {"on", effect.on}, {"reason", effect.reason}});
-  }
-  return {{"schema", 1}, {"scene", scene}, {"effects", list}};
-}
-
 }  // namespace vernier

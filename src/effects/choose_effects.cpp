@@ -82,4 +82,8 @@ EffectSet choose_effects(const EffectSet& detected, const std::string& list) {
   return effects;
 }
 
+EffectSet plan_effects(const Scene& scene, const Camera& camera, std::uint32_t max_bounces, const std::string& list) {
+  return choose_effects(detect_effects(scene, camera, static_cast<int>(max_bounces)), list);
+}
+
 }  // namespace vernier

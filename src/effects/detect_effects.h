@@ -19,4 +19,8 @@ EffectSet detect_effects(const Scene& scene, const Camera& camera, int max_bounc
 /// Throws Error(usage) for an unknown name.
 EffectSet choose_effects(const EffectSet& detected, const std::string& list);
 
+/// The one plan of a render: what is detected, as `list` (the `--effects` option) changes it. What renders, explains or
+/// reports reads this.
+EffectSet plan_effects(const Scene& scene, const Camera& camera, std::uint32_t max_bounces, const std::string& list);
+
 }  // namespace vernier

@@ -141,8 +141,7 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   check_settings(settings);
   const PixelRect area = image_area(settings);
   RenderStatistics statistics;
-  statistics.effects =
-      choose_effects(detect_effects(scene, camera, static_cast<int>(settings.max_bounces)), settings.effects);
+  statistics.effects = plan_effects(scene, camera, settings.max_bounces, settings.effects);
 
   PackedScene packed = pack_scene(scene, 0);
   describe_scene(scene, packed, statistics);
