@@ -24,7 +24,7 @@ void add_with_needs(EffectSet& effects, std::uint32_t bit) {
   switch_on(effects, bit, kAsked);
   for (const EffectNeed& need : effect_needs()) {
     if (need.effect == bit) {
-      switch_on(effects, need.needed, std::string("needed by ") + effect_name(bit));
+      switch_on(effects, need.needed, need_reason(need));
     }
   }
 }

@@ -9,7 +9,8 @@ namespace vernier {
 
 /// Effects that rendering `scene` through `camera` can make visible. May be too large, never too small: any superset
 /// gives the same picture. Judged by value: a transmission of 0 is none, a light of intensity 0 is none, a material
-/// no triangle uses asks for nothing. Pure; O(triangles + materials + lights).
+/// no triangle uses asks for nothing. What is off says why by name where something in the file seems to ask for it.
+/// Pure; O(triangles + vertices + materials + lights + texels).
 /// `scene` has passed validate_scene.
 EffectSet detect_effects(const Scene& scene, const Camera& camera, int max_bounces);
 
