@@ -189,7 +189,8 @@ bool intersect_triangle(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v
     crossing = watertight_crossing(ray, v0, v1, v2);
   }
   float t = crossing.t;
-  bool after = t > t_min || (t == t_min && triangle > after_triangle && after_triangle != NONE);
+  bool tie_counts = t == t_min && !mutated(MUTATION_TIES_SKIPPED);
+  bool after = t > t_min || (tie_counts && triangle > after_triangle && after_triangle != NONE);
   bool before = t < hit.t || (t == hit.t && triangle < hit.triangle);
   bool accepted = crossing.inside && after && before && crossing.in_front;
   hit.t = accepted ? t : hit.t;

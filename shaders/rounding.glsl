@@ -6,6 +6,7 @@
 
 const float HALF_ULP_OF_ONE = 5.9604644775390625e-8f;  // 2^-24: relative error of one rounding
 const float LARGEST_FLOAT = 3.4028234663852886e38f;
+const uint HALF_FLOAT_BITS = 0xffffe000u;  // of a float: sign, exponent and the digits that a half float has
 
 // Relative error bound of n roundings in a row, n u / (1 - n u) (Higham 2002, Accuracy and Stability of Numerical
 // Algorithms, section 3.1).

@@ -9,15 +9,24 @@
 // habit of choosing such a number, and 1e-4 is what is usually chosen.
 const float FIXED_OFFSET = 1e-4f;
 
+// `origin` as it is when it has been rounded to float in world coordinates.
+vec3 kept_in_world(IN(vec3) origin) {
+  float scale = render_constants().metres_per_unit;
+  precise vec3 world = origin * scale + render_constants().world_center;
+  precise vec3 back = (world - render_constants().world_center) / scale;
+  return back;
+}
+
 // The hit point moved along the geometric normal to the side that `direction` leaves on, by the error bound's extent along
 // the normal: the point then lies on that side of the exact plane. Waechter and Binder 2019 describe the problem ("A Fast
 // and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems 6); the bound is that of SurfacePoint.
 vec3 spawn_origin(IN(SurfacePoint) surface, IN(vec3) direction) {
   float distance = dot_product(abs(surface.geometric_normal), surface.position_error);
   if (level_at(SPOT_SPAWN) == LEVEL_FAST) distance = FIXED_OFFSET;
+  if (mutated(MUTATION_METRE_OFFSET)) distance = FIXED_OFFSET / render_constants().metres_per_unit;
   bool above = dot_product(direction, surface.geometric_normal) >= 0.0f;
   precise vec3 origin = surface.position + surface.geometric_normal * (above ? distance : -distance);
-  return origin;
+  return mutated(MUTATION_WORLD_ORIGIN) ? kept_in_world(origin) : origin;
 }
 
 #endif

@@ -14,7 +14,8 @@ Path begun_path(IN(uint) job) {
   Job place = job_at(job);
   uint x = dispatch_constants().tile_x + place.x;
   uint y = dispatch_constants().tile_y + place.y;
-  vec2 offset = sample_offset(x, y, place.sample_index, constants.seed, steering_constants().spp);
+  uvec2 key = mutated(MUTATION_TILE_PATTERN) ? uvec2(place.x, place.y) : uvec2(x, y);
+  vec2 offset = sample_offset(key.x, key.y, place.sample_index, constants.seed, steering_constants().spp);
   Ray ray = camera_ray(vec2(float(x), float(y)) + offset);
   Path path = no_path();
   path.job = job < job_count() && is_in_tile(place) ? job : NONE;

@@ -29,7 +29,9 @@ struct Step {
 // `weight`, or 0 where a ray of that weight is not traced.
 vec3 kept_weight(IN(vec3) weight) {
   float largest = max3(weight);
-  return largest > 0.0f && largest >= render_constants().cutoff ? weight : vec3(0.0f);
+  vec3 kept = largest > 0.0f && largest >= render_constants().cutoff ? weight : vec3(0.0f);
+  if (mutated(MUTATION_SHORT_FLOATS)) kept = uintBitsToFloat(floatBitsToUint(kept) & HALF_FLOAT_BITS);
+  return kept;
 }
 
 PathRay child_ray(IN(PathRay) parent, IN(SurfacePoint) surface, IN(vec3) direction, IN(vec3) weight, IN(uint) medium) {
@@ -48,6 +50,7 @@ void split_weights(IN(DeviceMaterial) material, IN(ShadingTerms) terms, IN(Fresn
     reflected = terms.reflection_tint * fresnel.reflected;
     refracted = terms.transmission * fresnel.transmitted;
   }
+  if (total && mutated(MUTATION_TOTAL_LOST)) reflected = vec3(0.0f);
 }
 
 // Reflected and refracted ray of a hit that `weight` reaches.
@@ -66,7 +69,8 @@ void scatter(IN(PathRay) parent, IN(SurfacePoint) surface, IN(DeviceMaterial) ma
     split_weights(material, terms, fresnel, reflected, refracted);
     vec3 direction =
         thin ? parent.direction : refracted_direction(to_viewer, normal, surface.geometric_normal, eta, fresnel);
-    uint medium = thin ? parent.medium : surface.front ? surface.material : NONE;
+    uint outside = mutated(MUTATION_MEDIUM_KEPT) ? parent.medium : NONE;
+    uint medium = thin ? parent.medium : surface.front ? surface.material : outside;
     children.refracted = child_ray(parent, surface, direction, kept_weight(weight * refracted), medium);
   }
   if (effect_on(EFFECT_REFLECTION)) {

@@ -89,7 +89,9 @@ uint uv_texel(IN(uint) set) {
 // UV set `set` at the hit; (0, 0) where no mesh has it.
 vec2 interpolated_uv(IN(TrianglePoint) point, IN(uint) set) {
   uint texel = uv_texel(set);
-  return texel == NONE ? vec2(0.0f) : uv_of_set(interpolated(point, texel), set);
+  vec2 uv = texel == NONE ? vec2(0.0f) : uv_of_set(interpolated(point, texel), set);
+  if (mutated(MUTATION_SHORT_FLOATS)) uv = uintBitsToFloat(floatBitsToUint(uv) & HALF_FLOAT_BITS);
+  return uv;
 }
 
 // Vertex colour and opacity at the hit; (1, 1, 1, 1) where no mesh has one.

@@ -29,5 +29,13 @@
 #define MUTATION_UNCLAMPED_FRACT 5u    // x - floor(x), which is 1 for -1e-10, addresses a texture
 #define MUTATION_SHORT_STACK 6u        // a traversal stack of 2 entries
 #define MUTATION_NARROW_SUM 7u         // the carry into the film's high word is lost
+#define MUTATION_METRE_OFFSET 8u       // secondary rays start 1e-4 m off, however large the scene
+#define MUTATION_TOTAL_LOST 9u         // total reflection is taken for a ray that ends
+#define MUTATION_MEDIUM_KEPT 10u       // a ray that leaves a body takes its medium along
+#define MUTATION_SHORT_FLOATS 11u      // weights of rays and texture coordinates keep the digits of a half float
+#define MUTATION_TILE_PATTERN 12u      // samples lie by the place in the tile, not in the image
+#define MUTATION_TIES_SKIPPED 13u      // a ray that goes on behind a hit leaves out what lies at the same t
+#define MUTATION_WORLD_ORIGIN 14u      // secondary rays start where world coordinates are rounded to float
+#define MUTATION_COUNT 15u
 
 #endif

@@ -19,6 +19,10 @@ void add_explain_command(CLI::App& app, Command& chosen);
 void add_reference_command(CLI::App& app, Command& chosen);
 /// `vernier diff`: figures of two images.
 void add_diff_command(CLI::App& app, Command& chosen);
+/// `vernier merge`: parts into one image.
+void add_merge_command(CLI::App& app, Command& chosen);
+/// `vernier rerun`: an image again from its own recipe.
+void add_rerun_command(CLI::App& app, Command& chosen);
 /// `vernier devices`: what there is to render on.
 void add_devices_command(CLI::App& app, Command& chosen);
 /// `vernier verify`: the numeric suite.

@@ -45,6 +45,8 @@ int main(int argc, char** argv) {
     add_explain_command(app, chosen);
     add_reference_command(app, chosen);
     add_diff_command(app, chosen);
+    add_merge_command(app, chosen);
+    add_rerun_command(app, chosen);
     add_devices_command(app, chosen);
     add_verify_command(app, chosen);
     return run_command_line(app, chosen, argc, argv);

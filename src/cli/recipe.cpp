@@ -17,16 +17,10 @@ void put(nlohmann::ordered_json& options, const char* name, const std::string& t
   }
 }
 
-std::map<std::string, std::string> scene_recipe(const SceneArguments& scene, std::span<const std::string> files,
-                                                const RenderArguments& render) {
-  std::map<std::string, std::string> metadata;
-  metadata["vernier:version"] = kVersion;
-  metadata["vernier:scene"] = scene.scene;
-  metadata["vernier:options"] = recipe_options(scene, render).dump();
-  if (!files.empty()) {
-    metadata["vernier:scene_sha1"] = sha1_of_files(files);
-  }
-  return metadata;
+nlohmann::ordered_json sha1_by_path(std::span<const std::string> files) {
+  nlohmann::ordered_json digests;
+  for (const std::string& file : files) digests[file] = sha1_of_files(std::span(&file, 1));
+  return digests;
 }
 
 void append_file(OIIO::SHA1& hash, const std::string& path) {
@@ -38,6 +32,19 @@ void append_file(OIIO::SHA1& hash, const std::string& path) {
   if (!file.eof()) {
     throw Error(ErrorKind::refused, path + ": cannot be read");
   }
+}
+
+std::map<std::string, std::string> scene_recipe(const SceneArguments& scene, std::span<const std::string> files,
+                                                const RenderArguments& render) {
+  std::map<std::string, std::string> metadata;
+  metadata["vernier:version"] = kVersion;
+  metadata["vernier:scene"] = scene.scene;
+  metadata["vernier:options"] = recipe_options(scene, render).dump();
+  if (!files.empty()) {
+    metadata["vernier:scene_sha1"] = sha1_of_files(files);
+    metadata["vernier:files"] = sha1_by_path(files).dump();
+  }
+  return metadata;
 }
 
 }  // namespace

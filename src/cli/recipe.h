@@ -26,10 +26,10 @@ nlohmann::ordered_json recipe_options(const SceneArguments& scene, const RenderA
 std::string sha1_of_files(std::span<const std::string> paths);
 
 /// Metadata of a rendered image: vernier:version, vernier:scene, vernier:scene_sha1 (sha1_of_files of `files`, which
-/// are Scene::files: buffers, textures, material libraries and the background image count too), vernier:options (JSON
-/// text of recipe_options), vernier:device, vernier:driver, vernier:spirv_hash. Equal renders have equal metadata: no
-/// date, no host. For the built-in scene vernier:scene is empty; it is part of the program's version, and without files
-/// there is no hash.
+/// are Scene::files: buffers, textures, material libraries and the background image count too), vernier:files (JSON
+/// text: the SHA-1 of each by its path), vernier:options (JSON text of recipe_options), vernier:device, vernier:driver,
+/// vernier:spirv_hash. Equal renders have equal metadata: no date, no host. For the built-in scene vernier:scene is
+/// empty; it is part of the program's version, and without files there is no hash.
 std::map<std::string, std::string> render_recipe(const SceneArguments& scene, std::span<const std::string> files,
                                                  const RenderArguments& render, const RecipeMaker& maker);
 

@@ -9,30 +9,16 @@
 #include "cli/interrupt.h"
 #include "cli/output_file.h"
 #include "cli/parse_values.h"
-#include "cli/progress_bar.h"
-#include "cli/recipe.h"
 #include "cli/render_report.h"
+#include "cli/rendered_image.h"
 #include "cli/sample_command.h"
-#include "cli/scene_setup.h"
-#include "cli/warnings.h"
 #include "error.h"
+#include "image/file_format.h"
 #include "image/whole_file.h"
 #include "image/write_image.h"
-#include "render/pipeline_file.h"
-#include "render/render_image.h"
 
 namespace vernier {
 namespace {
-
-RenderResult render_with_progress(const Device& device, const SceneSetup& setup, const RenderPlan& plan) {
-  ProgressBar bar(plan.quiet);
-  RenderCallbacks callbacks;
-  callbacks.progress = [&bar](const RenderProgress& progress) {
-    bar.update({progress.share, progress.rays_per_s, progress.eta_s});
-  };
-  callbacks.cancelled = interrupted;
-  return render_image(device, setup.scene, setup.camera, plan.settings, callbacks);
-}
 
 void print_summary(const RenderPlan& plan, const RenderReport& report, const ImageFile& image) {
   if (plan.quiet) {
@@ -58,38 +44,39 @@ void check_outcome(const RenderReport& report, const RenderPlan& plan) {
                                        sample_command(plan, report.device.name, statistics.first_non_finite));
   }
   if (interrupted()) {
-    throw Error(ErrorKind::failed, plan.output + ": interrupted; it holds what was done by then");
+    throw Error(ErrorKind::failed,
+                plan.output + ": interrupted; it holds what was done by then" + resume_hint(plan, report.device.name));
   }
 }
 
 int run_render(const RenderPlan& plan) {
   catch_interrupt();
-  const double aspect = static_cast<double>(plan.settings.width) / plan.settings.height;
-  const SceneSetup setup = set_up_scene(plan.scene, aspect);
-  print_warnings(setup.scene.warnings);
-  const VulkanInstance instance;
-  const DeviceDescription description = choose_device(list_devices(instance), plan.device);
-  const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
-  RenderResult result = render_with_progress(device.device(), setup, plan);
-  print_warnings(result.statistics.warnings);
-
-  RenderReport report{setup.scene.source, description,          plan.settings, std::move(result.statistics),
-                      setup.load_ms,      setup.scene.warnings, device.store()};
-  report.warnings.insert(report.warnings.end(), report.statistics.warnings.begin(), report.statistics.warnings.end());
-  const RecipeMaker maker{description.name, description.driver, report.statistics.spirv_hash};
-  result.image.metadata.merge(render_recipe(plan.scene_arguments, setup.scene.files, plan.render_arguments, maker));
-  if (report.statistics.error) {
-    result.image.metadata["vernier:error_estimate"] = error_text(*report.statistics.error);
-  }
-  const std::string legend = cost_legend(result.image);
-  if (!legend.empty()) result.image.metadata["vernier:cost_legend"] = legend;
-  write_image(plan.output, result.image, plan.display);
+  const RenderedImage rendered = render_planned(plan);
+  write_image(plan.output, rendered.image, plan.display);
   if (!plan.json_file.empty()) {
-    write_text(plan.json_file, render_json(report).dump(2) + "\n");
+    write_text(plan.json_file, render_json(rendered.report).dump(2) + "\n");
   }
-  print_summary(plan, report, result.image);
-  check_outcome(report, plan);
+  print_summary(plan, rendered.report, rendered.image);
+  check_outcome(rendered.report, plan);
   return 0;
+}
+
+void check_checkpoint_output(const RenderPlan& plan) {
+  if (plan.settings.error_target && !(plan.checkpoint.empty() && plan.resume.empty())) {
+    throw Error(ErrorKind::usage,
+                "--error-target: not with --checkpoint or --resume, which hold the samples but not where "
+                "more of them pay");
+  }
+  check_text_output(plan.checkpoint);
+  if (!plan.checkpoint.empty() && plan.checkpoint == plan.output) {
+    throw Error(ErrorKind::usage, "--checkpoint: it names the image file " + plan.output);
+  }
+}
+
+/// Whether the image is a part of the samples that can be merged.
+bool is_sample_part(const RenderPlan& plan) {
+  const bool whole = plan.settings.sample_begin == 0 && plan.settings.sample_end == plan.settings.spp;
+  return !whole && file_format(plan.output, ErrorKind::usage) == FileFormat::exr;
 }
 
 }  // namespace
@@ -101,13 +88,21 @@ RenderPlan plan_render(const RenderCommandArguments& arguments) {
   plan.scene = parse_scene_settings(arguments.scene);
   plan.settings = parse_render_settings(arguments.render);
   plan.display.exposure_ev = parse_exposure(arguments.exposure);
+  plan.exposure = arguments.exposure;
   plan.device = arguments.device;
   plan.output = arguments.output.empty() ? default_image_path(arguments.scene.scene) : arguments.output;
   plan.json_file = arguments.json_file;
+  plan.checkpoint = arguments.checkpoint;
+  plan.resume = arguments.resume;
+  if (!arguments.checkpoint_seconds.empty()) {
+    plan.checkpoint_interval_s = parse_number_in("--checkpoint-seconds", arguments.checkpoint_seconds, 0.0, 86400.0);
+  }
   plan.quiet = arguments.quiet;
   plan.verbose = arguments.verbose;
   check_image_output(plan.output);
   check_text_output(plan.json_file);
+  check_checkpoint_output(plan);
+  plan.settings.film_layer = is_sample_part(plan);
   return plan;
 }
 
@@ -132,6 +127,20 @@ void add_render_command(CLI::App& app, Command& chosen) {
       .add_option("--exposure", arguments->exposure,
                   "stops added to display images, -100 to 100; EXR stays linear (default: 0)")
       ->type_name("EV");
+  command
+      .add_option(
+          "--checkpoint", arguments->checkpoint,
+          "saves what is done every 30 seconds, or less often where saving takes more than 1 % of the time, and "
+          "when stopped (default: none)")
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--resume", arguments->resume,
+          "goes on from a checkpoint of the same render: byte for byte the image of one that was never stopped; "
+          "where --checkpoint names the same file and it is not there yet, begins (default: none)")
+      ->type_name("FILE");
+  // For tests: 0 saves after every tile.
+  command.add_option("--checkpoint-seconds", arguments->checkpoint_seconds, "seconds between checkpoints")->group("");
   command.add_option("--json", arguments->json_file, "writes statistics (default: none)")->type_name("FILE");
   CLI::Option* quiet =
       command.add_flag("--quiet", arguments->quiet, "no progress and no summary; warnings stay (default: off)");
@@ -141,7 +150,7 @@ void add_render_command(CLI::App& app, Command& chosen) {
       ->excludes(quiet);
   command.footer(
       "Example: vernier render scenes/every_effect.glb -o picture.exr --size 640x360 --spp 64 --aov depth,normal\n"
-      "Ctrl-C writes what is done and ends with exit code 1; a second Ctrl-C ends at once.");
+      "Ctrl-C writes what is done (and the checkpoint) and ends with exit code 1; a second Ctrl-C ends at once.");
   command.callback([arguments, &chosen] { chosen = [arguments] { return run_render(plan_render(*arguments)); }; });
 }
 

@@ -5,6 +5,7 @@
 #include "cli/render_options.h"
 #include "cli/scene_options.h"
 #include "image/display_picture.h"
+#include "render/checkpoint.h"
 #include "render/render_settings.h"
 
 namespace vernier {
@@ -16,6 +17,9 @@ struct RenderCommandArguments {
   std::string output;
   std::string device;
   std::string exposure = "0";
+  std::string checkpoint;
+  std::string checkpoint_seconds;
+  std::string resume;
   std::string json_file;
   bool quiet = false;
   bool verbose = false;
@@ -28,9 +32,13 @@ struct RenderPlan {
   SceneSettings scene;
   RenderSettings settings;
   DisplayTransform display;
-  std::string device;     ///< selector of choose_device, empty: the best
-  std::string output;     ///< image file
-  std::string json_file;  ///< empty: none
+  std::string exposure;    ///< as the user wrote it
+  std::string device;      ///< selector of choose_device, empty: the best
+  std::string output;      ///< image file
+  std::string json_file;   ///< empty: none
+  std::string checkpoint;  ///< film file that is written now and then; empty: none
+  double checkpoint_interval_s = kCheckpointInterval_s;
+  std::string resume;  ///< film file to go on from; empty: begin
   bool quiet = false;
   bool verbose = false;
 };

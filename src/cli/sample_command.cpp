@@ -20,6 +20,22 @@ std::string option(const std::string& name, const std::string& value) {
   return " --" + name + " " + shell_word(value);
 }
 
+/// The command that renders `scene` to `output` with every option of the recipe.
+std::string render_command(const SceneArguments& scene, const RenderArguments& render, const std::string& output) {
+  std::string command = "vernier render";
+  if (!scene.scene.empty()) command += " " + shell_word(scene.scene);
+  command += " -o " + shell_word(output);
+  const nlohmann::ordered_json options = recipe_options(scene, render);
+  for (const auto& [name, value] : options.items()) {
+    if (value.is_array()) {
+      for (const auto& each : value) command += option(name, each.get<std::string>());
+    } else {
+      command += option(name, value.get<std::string>());
+    }
+  }
+  return command;
+}
+
 }  // namespace
 
 std::string shell_word(const std::string& text) {
@@ -34,18 +50,16 @@ std::string sample_command(const RenderPlan& plan, const std::string& device, co
   render.crop = std::to_string(place.x) + "," + std::to_string(place.y) + ",1,1";
   render.sample_range = std::to_string(place.sample) + ":" + std::to_string(place.sample + 1);
   render.aov.clear();
-  std::string command = "vernier render";
-  if (!plan.scene_arguments.scene.empty()) command += " " + shell_word(plan.scene_arguments.scene);
-  command += " -o sample.exr";
-  const nlohmann::ordered_json options = recipe_options(plan.scene_arguments, render);
-  for (const auto& [name, value] : options.items()) {
-    if (value.is_array()) {
-      for (const auto& each : value) command += option(name, each.get<std::string>());
-    } else {
-      command += option(name, value.get<std::string>());
-    }
-  }
-  return command + option("device", device);
+  return render_command(plan.scene_arguments, render, "sample.exr") + option("device", device);
+}
+
+std::string resume_hint(const RenderPlan& plan, const std::string& device) {
+  if (plan.checkpoint.empty()) return "";
+  std::string command = render_command(plan.scene_arguments, plan.render_arguments, plan.output);
+  if (plan.exposure != "0") command += option("exposure", plan.exposure);
+  if (!plan.json_file.empty()) command += option("json", plan.json_file);
+  return "; go on by: " + command + option("device", device) + option("checkpoint", plan.checkpoint) +
+         option("resume", plan.checkpoint);
 }
 
 }  // namespace vernier

@@ -14,4 +14,8 @@ std::string shell_word(const std::string& text);
 /// nothing else: every option that decides a bit of the image, and the device the render ran on. It writes sample.exr.
 std::string sample_command(const RenderPlan& plan, const std::string& device, const SamplePlace& place);
 
+/// The end of a line about a render that was stopped, `; go on by: vernier render ...`: the command line, for a POSIX
+/// shell, that resumes it from its checkpoint on the device it ran on. Empty without a checkpoint.
+std::string resume_hint(const RenderPlan& plan, const std::string& device);
+
 }  // namespace vernier

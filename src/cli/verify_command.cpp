@@ -104,6 +104,7 @@ bool run_suite(const VerifyArguments& arguments, const CaseSetup& setup, const D
     if (!reports.back().held) say(failure_text(reports.back(), setup, again));
     held = held && reports.back().held;
   }
+  say(leak_line(count_leaks(reports)));
   std::vector<LevelCost> costs;
   if (arguments.case_name.empty() && arguments.with_costs) {
     const SceneSetup builtin = set_up_scene({}, 16.0 / 9.0);

@@ -1,6 +1,7 @@
 #include "render/film.h"
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "shared/film_layout.h"
 
@@ -48,6 +49,17 @@ std::uint64_t Film::size_bytes() const {
 
 std::vector<std::uint32_t> Film::read_sums(const Device& device) const {
   return read_bands(device, bands_, static_cast<std::size_t>(area_.width) * FILM_WORDS, area_.height, &Band::sums);
+}
+
+void Film::write_sums(const Device& device, std::span<const std::uint32_t> words) {
+  const std::size_t row_words = static_cast<std::size_t>(area_.width) * FILM_WORDS;
+  if (words.size() != row_words * static_cast<std::size_t>(area_.height)) {
+    throw std::logic_error("Film::write_sums: words of another film");
+  }
+  for (Band& band : bands_) {
+    const std::size_t first = row_words * static_cast<std::size_t>(band.first_row);
+    band.sums.upload(device, std::as_bytes(words.subspan(first, row_words * static_cast<std::size_t>(band.row_count))));
+  }
 }
 
 std::vector<std::uint32_t> Film::read_aovs(const Device& device) const {

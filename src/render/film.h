@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -35,6 +36,8 @@ class Film {
 
   /// Words per pixel [height][width][FILM_WORDS] of the sums. Waits for the device.
   std::vector<std::uint32_t> read_sums(const Device& device) const;
+  /// Replaces the sums by `words`, as many as read_sums gives; waits. Throws std::logic_error for another number.
+  void write_sums(const Device& device, std::span<const std::uint32_t> words);
   /// Words per pixel [height][width][AOV_WORDS]. Waits for the device. The film was made with AOVs.
   std::vector<std::uint32_t> read_aovs(const Device& device) const;
 

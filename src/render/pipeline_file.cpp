@@ -11,6 +11,7 @@
 
 #include "error.h"
 #include "image/whole_file.h"
+#include "render/checksum.h"
 
 namespace vernier {
 namespace {
@@ -21,7 +22,7 @@ namespace fs = std::filesystem;
 constexpr std::string_view kMagic = "vernier-pipes-1\n";
 
 /// What stands before the driver's bytes. Drivers check what their own header says, but not all notice damage behind
-/// it.
+/// it. Who can write here can change the program too: a checksum will do.
 struct FileHeader {
   std::array<char, 16> magic;
   std::array<char, 64> pipeline_key;  // 0 behind its end
@@ -30,20 +31,13 @@ struct FileHeader {
 };
 static_assert(sizeof(FileHeader) == 96 && kMagic.size() == 16);
 
-// FNV-1a (Fowler, Noll, Vo) of 64 bits: finds damage, not forgery; who can write here can change the program too.
-std::uint64_t hash_of(std::span<const std::byte> bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const std::byte byte : bytes) hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3u;
-  return hash;
-}
-
 FileHeader header_of(const std::string& pipeline_key, std::span<const std::byte> bytes) {
   FileHeader header{};
   std::memcpy(header.magic.data(), kMagic.data(), kMagic.size());
   std::memcpy(header.pipeline_key.data(), pipeline_key.data(),
               std::min(pipeline_key.size(), header.pipeline_key.size()));
   header.payload_bytes = bytes.size();
-  header.payload_hash = hash_of(bytes);
+  header.payload_hash = checksum(bytes);
   return header;
 }
 
@@ -73,7 +67,7 @@ std::string read_checked(const std::string& file, const std::string& pipeline_ke
   if (!stream.read(reinterpret_cast<char*>(payload.data()), static_cast<std::streamsize>(payload.size()))) {
     return "is cut short";
   }
-  if (hash_of(payload) != header.payload_hash) return "is damaged";
+  if (checksum(payload) != header.payload_hash) return "is damaged";
   bytes = std::move(payload);
   return "";
 }

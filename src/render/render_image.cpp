@@ -6,6 +6,8 @@
 #include "effects/detect_effects.h"
 #include "error.h"
 #include "render/film.h"
+#include "render/film_file.h"
+#include "render/film_layer.h"
 #include "render/gpu_scene.h"
 #include "render/pack_scene.h"
 #include "render/trace_aovs.h"
@@ -111,10 +113,21 @@ GpuScene upload_scene(const Device& device, const PackedScene& packed, SceneLoad
   return gpu_scene;
 }
 
+/// Puts the sums of `saved` into the empty film.
+void resume(const Device& device, const SavedFilm& saved, Film& film) {
+  const PixelRect& area = film.area();
+  const bool same_size = saved.area.width == area.width && saved.area.height == area.height;
+  if (!same_size || saved.area.x != area.x || saved.area.y != area.y) {
+    throw Error(ErrorKind::refused, "--resume: the checkpoint is of other pixels");
+  }
+  if (!saved.sums.empty()) film.write_sums(device, saved.sums);
+}
+
 RenderResult read_film(const Device& device, const Film& film, const RenderSettings& settings,
                        RenderStatistics statistics) {
   const PixelRect& area = film.area();
-  DevelopedFilm developed = develop(film.read_sums(device), area);
+  const std::vector<std::uint32_t> sums = film.read_sums(device);
+  DevelopedFilm developed = develop(sums, area);
   statistics.non_finite_pixels = developed.non_finite_pixels;
   statistics.first_non_finite = developed.first_non_finite;
   statistics.samples_done = developed.least_samples;
@@ -123,6 +136,7 @@ RenderResult read_film(const Device& device, const Film& film, const RenderSetti
       wants_geometry(settings) ? film.read_aovs(device) : std::vector<std::uint32_t>{};
   std::vector<Layer> layers = aov_layers(settings.aovs, aov_words, developed);
   layers.insert(layers.begin(), Layer{"", {"R", "G", "B", "A"}, std::move(developed.color)});
+  if (settings.film_layer) layers.push_back(film_layer(sums));
   return {.image = {.width = area.width,
                     .height = area.height,
                     .x = area.x,
@@ -154,7 +168,8 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   gpu_scene.set_constants(device, packed.constants, packed.steering);
   TraceSpecialization specialization = specialize(statistics.effects.bits, packed.bvh.depth, settings.max_bounces,
                                                   wants(settings, "cost"), device.description());
-  specialization.levels = levels_of(settings.accuracy);
+  specialization.levels = settings.spot_levels.value_or(levels_of(settings.accuracy));
+  specialization.mutation = settings.mutation;
   specialization.count_effects = settings.count_effects;
   specialization.listed_pixels = settings.error_target.has_value();
   statistics.spirv_hash = trace_spirv_hash(loads);
@@ -167,7 +182,12 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   } else {
     statistics.saved.aov_bytes = std::uint64_t{AOV_WORDS} * 4 * static_cast<std::uint64_t>(area.width) * area.height;
   }
-  describe_trace(FilmTracer(device, gpu_scene, loads, specialization, settings, film).trace(callbacks), settings,
+  RenderSettings scheduled = settings;
+  if (callbacks.resumed) {
+    resume(device, *callbacks.resumed, film);
+    scheduled.tile = callbacks.resumed->position.tile;
+  }
+  describe_trace(FilmTracer(device, gpu_scene, loads, specialization, scheduled, film).trace(callbacks), settings,
                  statistics);
   return read_film(device, film, settings, std::move(statistics));
 }

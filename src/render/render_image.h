@@ -19,10 +19,15 @@ struct RenderProgress {
   std::uint64_t rays = 0;
 };
 
-/// How a render talks to its caller; both may be empty. Called between submissions, on the caller's thread.
+class Checkpoint;
+struct SavedFilm;
+
+/// How a render talks to its caller; all may be empty. Called between submissions, on the caller's thread.
 struct RenderCallbacks {
   std::function<void(const RenderProgress&)> progress;
-  std::function<bool()> cancelled;  ///< true: stop cleanly; what is finished is returned
+  std::function<bool()> cancelled;     ///< true: stop cleanly; what is finished is returned
+  Checkpoint* checkpoint = nullptr;    ///< saves what is done
+  const SavedFilm* resumed = nullptr;  ///< what to go on from: a film of the same scene, settings, device and program
 };
 
 /// The colour layer (name "") with R G B A and the AOVs asked for, in that order, and what it took.
@@ -33,8 +38,9 @@ struct RenderResult {
 
 /// Renders `scene`, which has passed validate_scene, through `camera` on `device`: shaders/README.md, "Image
 /// formation". The image has the same bits for any tile, dispatch_ms, crop and repetition on one device. Pixels with a
-/// sample that is not finite are NaN and counted. Throws Error: usage for settings that make no sense, refused for what
-/// the device cannot hold, device_lost.
+/// sample that is not finite are NaN and counted. A resumed render has the bits of one that was never interrupted.
+/// Throws Error: usage for settings that make no sense, refused for what the device cannot hold and for a resumed film
+/// that does not fit, device_lost.
 RenderResult render_image(const Device& device, const Scene& scene, const Camera& camera,
                           const RenderSettings& settings, const RenderCallbacks& callbacks);
 

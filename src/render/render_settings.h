@@ -44,7 +44,11 @@ struct RenderSettings {
   double time_limit_s = std::numeric_limits<double>::infinity();
   std::uint32_t seed = 0;
   bool count_effects = false;     ///< counts how often each effect runs: slower, never changes a bit
+  bool film_layer = false;        ///< adds the layer `film` (film_layer.h): the sums, for merging
   std::vector<std::string> aovs;  ///< names of cli.md's --aov
+  // `vernier verify` alone sets these two (shared/accuracy.h).
+  std::optional<std::uint32_t> spot_levels;  ///< the level of each spot, instead of `accuracy`
+  std::uint32_t mutation = 0;                ///< MUTATION_*, a fault to seed; 0: none
 };
 
 }  // namespace vernier

@@ -26,6 +26,8 @@ class TileTracer {
 
   /// The film's area in tiles that suit the buffers.
   std::vector<PixelRect> tiles() const { return schedule_tiles(film_.area(), tile_, film_.band_height()); }
+  /// Pixels of a tile that is whole.
+  glm::ivec2 tile() const { return tile_; }
   /// Samples of a pass at most.
   std::uint32_t most_samples() const { return most_samples_; }
   const TraceStatistics& statistics() const { return statistics_; }

@@ -1,8 +1,11 @@
 #include "render/trace_film.h"
 
+#include <algorithm>
 #include <chrono>
 
+#include "error.h"
 #include "render/adaptive_trace.h"
+#include "render/checkpoint.h"
 #include "render/tile_schedule.h"
 #include "render/tile_tracer.h"
 
@@ -15,26 +18,128 @@ std::uint64_t total(const RayCounts& rays) {
   return rays.primary + rays.shadow + rays.reflection + rays.refraction;
 }
 
-RenderProgress progress_at(double share, const RayCounts& rays, double seconds) {
+/// `share` is done, `gained` of it in these `seconds`.
+RenderProgress progress_at(double share, double gained, const RayCounts& rays, double seconds) {
   return {.share = share,
           .rays_per_s = seconds > 0.0 ? static_cast<double>(total(rays)) / seconds : 0.0,
-          .eta_s = share > 0.0 ? seconds * (1.0 - share) / share : 0.0,
+          .eta_s = gained > 0.0 ? seconds * (1.0 - share) / gained : 0.0,
           .rays = total(rays)};
 }
 
-/// Every sample of the settings at every pixel, pass by pass.
-void trace_passes(TileTracer& tracer, const RenderSettings& settings, const std::function<bool()>& stop,
-                  const std::function<void(double)>& progress) {
-  const std::vector<PixelRect> tiles = tracer.tiles();
-  const double sample_count = static_cast<double>(settings.sample_end - settings.sample_begin);
-  for (const SamplePass& pass : schedule_passes(settings.sample_begin, settings.sample_end, tracer.most_samples())) {
-    for (std::size_t t = 0; t < tiles.size(); ++t) {
-      if (!tracer.run_tile(tiles[t], pass, stop)) return;
-      const double pass_share = pass.length() * static_cast<double>(t + 1) / static_cast<double>(tiles.size());
-      progress((pass.begin - settings.sample_begin + pass_share) / sample_count);
+/// Adds what the film had cost before it was resumed.
+void add_before(const SavedFilm& before, TraceStatistics& statistics) {
+  statistics.rays.primary += before.rays.primary;
+  statistics.rays.shadow += before.rays.shadow;
+  statistics.rays.reflection += before.rays.reflection;
+  statistics.rays.refraction += before.rays.refraction;
+  statistics.stack_overflows += before.stack_overflows;
+  statistics.device_ms += before.device_ms;
+  statistics.wall_ms += before.wall_ms;
+}
+
+/// One trace into a film, with its schedule and where it stands.
+class TraceRun {
+ public:
+  TraceRun(const Device& device, TileTracer& tracer, const Film& film, const RenderSettings& settings,
+           const RenderCallbacks& callbacks)
+      : device_(device),
+        tracer_(tracer),
+        film_(film),
+        settings_(settings),
+        callbacks_(callbacks),
+        tiles_(tracer.tiles()),
+        passes_(schedule_passes(settings.sample_begin, settings.sample_end, tracer.most_samples())),
+        position_(callbacks.resumed ? callbacks.resumed->position
+                                    : TracePosition{tracer.tile(), settings.sample_begin, 0}) {
+    check_position();
+    share_before_ = share();
+  }
+
+  /// Traces what is left, and saves it now and then, and where it is stopped.
+  void trace() {
+    if (settings_.error_target) {
+      error_ = trace_to_target(
+          device_, tracer_, film_, settings_, [this] { return is_stopped(); }, [this](double share) { tell(share); });
+      return;
+    }
+    Checkpoint* checkpoint = callbacks_.checkpoint;
+    if (checkpoint && !callbacks_.resumed) checkpoint->save_start(film_.area(), position_);
+    const bool finished = trace_passes();
+    if (checkpoint && !finished) checkpoint->save(device_, film_, position_, statistics());
+  }
+
+  TraceStatistics statistics() const {
+    TraceStatistics statistics = tracer_.statistics();
+    statistics.wall_ms = seconds() * 1000.0;
+    statistics.error = error_;
+    if (!statistics.effect_runs.by_depth.empty()) statistics.effect_runs.by_depth[0].path = statistics.rays.primary;
+    if (callbacks_.resumed) add_before(*callbacks_.resumed, statistics);
+    return statistics;
+  }
+
+ private:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+  /// Refuses a saved position that is none of this schedule: one of other limits of the device.
+  void check_position() const {
+    const bool begins_pass =
+        std::ranges::any_of(passes_, [&](const SamplePass& pass) { return pass.begin == position_.pass_begin; });
+    if (position_.tile == tracer_.tile() && begins_pass && position_.tiles_done <= tiles_.size()) return;
+    throw Error(ErrorKind::refused, "--resume: the checkpoint stands in another order of tiles and samples");
+  }
+
+  bool is_stopped() const {
+    return (callbacks_.cancelled && callbacks_.cancelled()) || seconds() > settings_.time_limit_s;
+  }
+
+  void tell(double share) const {
+    if (!callbacks_.progress) return;
+    callbacks_.progress(progress_at(share, share - share_before_, tracer_.statistics().rays, seconds()));
+  }
+
+  /// False when it was stopped.
+  bool trace_passes() {
+    const auto stop = [this] { return is_stopped(); };
+    for (const SamplePass& pass : passes_) {
+      if (pass.begin < position_.pass_begin) continue;
+      if (pass.begin > position_.pass_begin) position_ = {position_.tile, pass.begin, 0};
+      while (position_.tiles_done < tiles_.size()) {
+        if (!tracer_.run_tile(tiles_[position_.tiles_done], pass, stop)) return false;
+        ++position_.tiles_done;
+        after_tile();
+      }
+    }
+    return true;
+  }
+
+  void after_tile() {
+    tell(share());
+    Checkpoint* checkpoint = callbacks_.checkpoint;
+    if (checkpoint && checkpoint->is_due(film_.size_bytes())) {
+      checkpoint->save(device_, film_, position_, statistics());
     }
   }
-}
+
+  /// Share of the samples that are done.
+  double share() const {
+    const auto pass = std::ranges::find(passes_, position_.pass_begin, &SamplePass::begin);
+    const double pass_share =
+        pass->length() * static_cast<double>(position_.tiles_done) / static_cast<double>(tiles_.size());
+    return (pass->begin - settings_.sample_begin + pass_share) / (settings_.sample_end - settings_.sample_begin);
+  }
+
+  const Device& device_;
+  TileTracer& tracer_;
+  const Film& film_;
+  const RenderSettings& settings_;
+  const RenderCallbacks& callbacks_;
+  std::vector<PixelRect> tiles_;
+  std::vector<SamplePass> passes_;
+  TracePosition position_;
+  double share_before_ = 0.0;
+  std::optional<ErrorEstimate> error_;
+  Clock::time_point start_ = Clock::now();
+};
 
 }  // namespace
 
@@ -49,25 +154,9 @@ FilmTracer::~FilmTracer() = default;
 FilmTracer::FilmTracer(FilmTracer&&) noexcept = default;
 
 TraceStatistics FilmTracer::trace(const RenderCallbacks& callbacks) {
-  const auto start = Clock::now();
-  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  const auto stop = [&] {
-    return (callbacks.cancelled && callbacks.cancelled()) || seconds() > settings_.time_limit_s;
-  };
-  const auto progress = [&](double share) {
-    if (callbacks.progress) callbacks.progress(progress_at(share, tracer_->statistics().rays, seconds()));
-  };
-  std::optional<ErrorEstimate> error;
-  if (settings_.error_target) {
-    error = trace_to_target(device_, *tracer_, film_, settings_, stop, progress);
-  } else {
-    trace_passes(*tracer_, settings_, stop, progress);
-  }
-  TraceStatistics statistics = tracer_->statistics();
-  statistics.error = error;
-  if (!statistics.effect_runs.by_depth.empty()) statistics.effect_runs.by_depth[0].path = statistics.rays.primary;
-  statistics.wall_ms = seconds() * 1000.0;
-  return statistics;
+  TraceRun run(device_, *tracer_, film_, settings_, callbacks);
+  run.trace();
+  return run.statistics();
 }
 
 }  // namespace vernier

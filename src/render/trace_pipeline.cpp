@@ -66,7 +66,7 @@ TraceSpecialization specialize(std::uint32_t effects, std::uint32_t bvh_depth, s
 
 ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLoads loads,
                                     const TraceSpecialization& specialization, std::span<const Binding> bindings) {
-  const std::array<SpecializationValue, 8> values = {
+  const std::array<SpecializationValue, 9> values = {
       SpecializationValue{SPECIALIZATION_EFFECTS, specialization.effects},
       SpecializationValue{SPECIALIZATION_TRAVERSAL_STACK, specialization.traversal_stack},
       SpecializationValue{SPECIALIZATION_SHIFT_STACK, specialization.shift_stack ? 1u : 0u},
@@ -75,7 +75,8 @@ ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLo
       SpecializationValue{SPECIALIZATION_COUNT_EFFECTS,
                           specialization.count_effects && kernel == Kernel::trace ? 1u : 0u},
       SpecializationValue{SPECIALIZATION_LISTED_PIXELS, specialization.listed_pixels ? 1u : 0u},
-      SpecializationValue{SPECIALIZATION_LEVELS, specialization.levels}};
+      SpecializationValue{SPECIALIZATION_LEVELS, specialization.levels},
+      SpecializationValue{SPECIALIZATION_MUTATION, specialization.mutation}};
   return ComputePipeline(device, spirv_of(kernel, loads), bindings, 0, values);
 }
 

@@ -21,6 +21,7 @@ struct TraceSpecialization {
   bool count_effects = false;                      ///< trace kernel only
   bool listed_pixels = false;                      ///< dispatches have a list of their pixels
   std::uint32_t levels = LEVELS_OF(LEVEL_ROBUST);  ///< numeric level of each spot (shared/accuracy.h)
+  std::uint32_t mutation = MUTATION_NONE;          ///< seeded fault; a renderer has none
 };
 
 /// The levels of all spots at `accuracy`.

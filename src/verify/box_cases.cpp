@@ -117,8 +117,7 @@ CaseResult run_flat_boxes(const CaseSetup& setup) {
     meshes.push_back(grid_mesh(16, axis, 0.0f));
     meshes.push_back(grid_mesh(16, axis, 0.7f));
   }
-  std::vector<RayScene> scenes;
-  for (const VerifyMesh& mesh : meshes) scenes.emplace_back(*setup.device, triangles_of(mesh));
+  const std::vector<RayScene> scenes = scenes_of(setup, meshes);
   Tally tally;
   trace_samples(
       setup, kName, VERIFY_CLOSEST, scenes, tally,
@@ -196,10 +195,7 @@ CaseResult run_box_alone(const CaseSetup& setup) {
 
 CaseResult run_invalid_rays(const CaseSetup& setup) {
   constexpr const char* kName = "invalid_rays";
-  std::vector<RayScene> scenes;
-  for (const VerifyMesh& mesh : planes_and_bumps(setup, kName)) {
-    scenes.emplace_back(*setup.device, triangles_of(mesh));
-  }
+  const std::vector<RayScene> scenes = scenes_of(setup, planes_and_bumps(setup, kName));
   const auto usual_ray = [](SampleRandom& random, std::uint32_t) {
     return ray_query(glm::vec3(random.direction() * 0.3), glm::vec3(random.direction()));
   };

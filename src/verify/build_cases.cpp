@@ -6,27 +6,17 @@
 
 #include "error.h"
 #include "scene/validate_scene.h"
+#include "verify/image_scenes.h"
 #include "verify/ray_suite.h"
 
 namespace vernier {
 namespace {
 
+/// A scene of `mesh` alone.
 Scene scene_with(const VerifyMesh& mesh, const glm::dmat4& world_from_object) {
   Scene scene;
-  scene.materials.resize(1);
-  Mesh& placed_mesh = scene.meshes.emplace_back();
-  placed_mesh.positions = mesh.positions;
-  placed_mesh.triangles = mesh.triangles;
-  placed_mesh.triangle_materials.assign(mesh.triangles.size(), 0);
-  Instance& instance = scene.instances.emplace_back();
-  instance.world_from_object = world_from_object;
+  add_object(scene, mesh, Material{}, world_from_object);
   return scene;
-}
-
-glm::dmat4 scaling(const glm::dvec3& factors) {
-  glm::dmat4 matrix(1.0);
-  for (int i = 0; i < 3; ++i) matrix[i][i] = factors[i];
-  return matrix;
 }
 
 /// Answers of two scenes to the same rays must have the same bits, but for what counts the work.

@@ -83,7 +83,7 @@ CaseResult run_mixed_scales(const CaseSetup& setup) {
   CaseSetup few = setup;
   few.sample_count = std::min<std::uint64_t>(setup.sample_count, 1u << 13);  // the oracle tests every triangle
   trace_samples(
-      few, kName, VERIFY_RESPAWN, scenes_of(setup, {{mesh, glm::dvec3(0.0), 1.0}}), tally,
+      few, kName, VERIFY_RESPAWN, scenes_of(setup, std::vector{mesh}), tally,
       [&](SampleRandom& random, std::uint32_t) {
         const BvhTriangle& triangle = triangles[random.below(32)];
         const double b = random.in(0.2, 0.4), c = random.in(0.2, 0.4);
@@ -127,7 +127,7 @@ CaseResult run_degenerate(const CaseSetup& setup) {
   }
   Tally tally;
   trace_samples(
-      setup, kName, VERIFY_CLOSEST, scenes_of(setup, {{mesh, glm::dvec3(0.0), 1.0}}), tally,
+      setup, kName, VERIFY_CLOSEST, scenes_of(setup, std::vector{mesh}), tally,
       [&](SampleRandom& random, std::uint32_t) {
         const glm::uvec3& t = mesh.triangles[kSound + random.below(kFlat)];
         const glm::vec3 aim = glm::mix(mesh.positions[t.x], mesh.positions[t.y], in_range(random, 0.0, 1.0));
@@ -162,7 +162,7 @@ CaseResult run_near_degenerate(const CaseSetup& setup) {
   Tally tally("edge roundings", setup.level == Accuracy::fast ? kNoBound : 8.0);
   std::uint64_t judged = 0;
   trace_samples(
-      setup, kName, VERIFY_RESPAWN, scenes_of(setup, {{mesh, glm::dvec3(0.0), 1.0}}), tally,
+      setup, kName, VERIFY_RESPAWN, scenes_of(setup, std::vector{mesh}), tally,
       [&](SampleRandom& random, std::uint32_t) {
         const BvhTriangle& triangle = triangles[random.below(static_cast<std::uint32_t>(triangles.size()))];
         const glm::dvec3 v0 = triangle.v0, v1 = triangle.v1, v2 = triangle.v2;
@@ -227,7 +227,7 @@ CaseResult run_grazing(const CaseSetup& setup) {
   Tally tally = tally_of_t(setup);
   std::uint64_t judged = 0;
   trace_samples(
-      setup, kName, VERIFY_RESPAWN, scenes_of(setup, {{mesh, glm::dvec3(0.0), 1.0}}), tally,
+      setup, kName, VERIFY_RESPAWN, scenes_of(setup, std::vector{mesh}), tally,
       [&](SampleRandom& random, std::uint32_t) {
         const glm::dvec3 place = (u * random.in(-0.6, 0.6) + v * random.in(-0.6, 0.6)) * 0.7;
         const double elevation = std::ldexp(1.0, -1 - static_cast<int>(random.below(22)));

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <string_view>
+
 #include "verify/verify_case.h"
 
 namespace vernier {
@@ -55,5 +58,10 @@ inline constexpr VerifyCase kImageCases[] = {
     {55, "driver_difference", "two devices make the same picture", "metamorphic", run_driver_difference},
     {56, "reference_scene", "pictures against the renderer in double", "double", run_reference_scene},
 };
+
+/// Whether `name` is that of one of these cases.
+inline bool is_image_case(std::string_view name) {
+  return std::ranges::any_of(kImageCases, [&](const VerifyCase& one) { return one.name == name; });
+}
 
 }  // namespace vernier

@@ -39,12 +39,6 @@ std::vector<Stack> stacks_with(const std::vector<double>& gaps) {
   return stacks;
 }
 
-std::vector<RayScene> scenes_of(const CaseSetup& setup, const std::vector<Stack>& stacks) {
-  std::vector<RayScene> scenes;
-  for (const Stack& stack : stacks) scenes.emplace_back(*setup.device, triangles_of(stack.mesh));
-  return scenes;
-}
-
 /// A ray upwards that starts `below` under layer 0 and stays away from the squares' diagonal and outline.
 RayQuery ray_through(SampleRandom& random, const Stack& stack, double below) {
   const double u = random.in(-0.6, 0.6), turn = random.in(0.2, 0.3);

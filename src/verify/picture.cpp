@@ -36,6 +36,8 @@ RenderSettings picture_settings(const CaseSetup& setup, int side) {
   settings.spp = settings.sample_end = 1;
   settings.cutoff = 0.0f;
   settings.accuracy = setup.level;
+  settings.spot_levels = setup.levels;
+  settings.mutation = setup.mutation;
   return settings;
 }
 

@@ -25,7 +25,7 @@ struct Picture {
   std::string inputs(std::size_t pixel) const;
 };
 
-/// `side` x `side` pixels, a sample at each pixel's centre, no cutoff, at the level of `setup`.
+/// `side` x `side` pixels, a sample at each pixel's centre, no cutoff, at the levels and with the mutation of `setup`.
 RenderSettings picture_settings(const CaseSetup& setup, int side);
 
 /// Renders `scene`; the rest of what render_image tells is dropped.

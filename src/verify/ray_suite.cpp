@@ -38,11 +38,6 @@ RayQuery axis_ray(SampleRandom& random, const Target& target) {
   return ray_query(origin, direction);
 }
 
-bool same_hit(const RayAnswer& a, const RayAnswer& b) {
-  if (a.triangle != b.triangle) return false;
-  return a.triangle == NONE || std::bit_cast<std::uint32_t>(a.t) == std::bit_cast<std::uint32_t>(b.t);
-}
-
 /// Calls `trace(target, first, queries)` for runs of samples that go to the same target.
 template <typename Trace>
 void for_each_run(const CaseSetup& setup, const char* name, std::size_t targets, const MakeRay& make,
@@ -99,10 +94,15 @@ void trace_samples(const CaseSetup& setup, const char* name, std::uint32_t funct
   });
 }
 
-std::vector<RayScene> scenes_of(const CaseSetup& setup, const std::vector<Target>& targets) {
+std::vector<RayScene> scenes_of(const CaseSetup& setup, const std::vector<VerifyMesh>& meshes) {
   std::vector<RayScene> scenes;
-  for (const Target& target : targets) scenes.emplace_back(*setup.device, triangles_of(target.mesh));
+  for (const VerifyMesh& mesh : meshes) scenes.emplace_back(*setup.device, triangles_of(mesh));
   return scenes;
+}
+
+bool same_hit(const RayAnswer& a, const RayAnswer& b) {
+  if (a.finished != 1 || b.finished != 1 || a.triangle != b.triangle) return false;
+  return a.triangle == NONE || std::bit_cast<std::uint32_t>(a.t) == std::bit_cast<std::uint32_t>(b.t);
 }
 
 CaseResult if_judged(CaseResult result, std::uint64_t judged) {
@@ -131,14 +131,12 @@ CaseResult against_every_triangle(const CaseSetup& setup, const char* name, cons
   Tally tally;
   RayKernel kernel(setup, VERIFY_CLOSEST);
   RecordKernel every(setup, VERIFY_TRIANGLES);
-  std::vector<RayScene> scenes;
-  for (const VerifyMesh& mesh : meshes) scenes.emplace_back(*setup.device, triangles_of(mesh));
+  const std::vector<RayScene> scenes = scenes_of(setup, meshes);
   for_each_run(setup, name, scenes.size(), make, [&](std::uint32_t target, const std::vector<RayQuery>& queries) {
     const std::vector<RayAnswer> answers = kernel.trace(scenes[target], queries);
     const std::vector<RayAnswer> expected = every.test(triangle_records(triangles_of(meshes[target])), queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
-      const bool held = answers[i].finished == 1 && expected[i].finished == 1 && same_hit(answers[i], expected[i]);
-      tally.book(held, [&] {
+      tally.book(same_hit(answers[i], expected[i]), [&] {
         return ray_inputs(queries[i]) + " hit=" + std::to_string(answers[i].triangle) + " " +
                hex_floats({{"t", answers[i].t}}) + " expected=" + std::to_string(expected[i].triangle) + " " +
                hex_floats({{"t", expected[i].t}});

@@ -43,8 +43,19 @@ constexpr std::uint64_t kSamplesPerTarget = 1024;
 void trace_samples(const CaseSetup& setup, const char* name, std::uint32_t function,
                    const std::vector<RayScene>& scenes, Tally& tally, const MakeRay& make, const JudgeRay& judge);
 
-/// The scenes of `targets` on the device of `setup`.
-std::vector<RayScene> scenes_of(const CaseSetup& setup, const std::vector<Target>& targets);
+/// `meshes` on the device of `setup`.
+std::vector<RayScene> scenes_of(const CaseSetup& setup, const std::vector<VerifyMesh>& meshes);
+
+/// The same of what has a mesh: targets, stacks of squares.
+template <typename WithMesh>
+std::vector<RayScene> scenes_of(const CaseSetup& setup, const std::vector<WithMesh>& each_with_mesh) {
+  std::vector<VerifyMesh> meshes;
+  for (const WithMesh& one : each_with_mesh) meshes.push_back(one.mesh);
+  return scenes_of(setup, meshes);
+}
+
+/// Whether two searches came to their end at the same hit, bit for bit, or both at none.
+bool same_hit(const RayAnswer& a, const RayAnswer& b);
 
 /// `result` with a failure more where fewer than half of its samples could be judged: a case that judges nothing shows
 /// nothing.

@@ -81,12 +81,6 @@ std::vector<VerifyMesh> far_triangles(const CaseSetup& setup) {
   return meshes;
 }
 
-std::vector<RayScene> scenes_of(const CaseSetup& setup, const std::vector<VerifyMesh>& meshes) {
-  std::vector<RayScene> scenes;
-  for (const VerifyMesh& mesh : meshes) scenes.emplace_back(*setup.device, triangles_of(mesh));
-  return scenes;
-}
-
 }  // namespace
 
 CaseResult run_self_hit(const CaseSetup& setup) {

@@ -23,12 +23,10 @@ CaseResult run_terminator(const CaseSetup& setup) {
   SampleRandom mesh_numbers = mesh_random(setup, kName, 0);
   const std::vector<VerifyMesh> meshes{sphere_mesh(16, 8, 1.0, 1.0, mesh_numbers)};
   const std::vector<BvhTriangle> triangles = triangles_of(meshes[0]);
-  std::vector<RayScene> scenes;
-  scenes.emplace_back(*setup.device, triangles);
   Tally tally;
   std::uint64_t judged = 0;
   trace_samples(
-      setup, kName, VERIFY_RESPAWN, scenes, tally,
+      setup, kName, VERIFY_RESPAWN, scenes_of(setup, meshes), tally,
       [&](SampleRandom& random, std::uint32_t) {
         const BvhTriangle& triangle = triangles[random.below(static_cast<std::uint32_t>(triangles.size()))];
         const glm::dvec3 place = place_on(random, triangle), out = glm::normalize(place);

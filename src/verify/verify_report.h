@@ -20,11 +20,23 @@ std::string case_line(const CaseReport& report);
 /// that chose device and level, "" or with a leading space.
 std::string failure_text(const CaseReport& report, const CaseSetup& setup, const std::string& arguments);
 
+/// How many of the rays aimed at edges and corners of closed meshes got out, beside what Embree's own test asks of it.
+struct LeakCount {
+  std::uint64_t rays = 0;
+  std::uint64_t leaks = 0;
+};
+
+/// Over the cases of edges, vertices, far meshes and needles among `reports`; 0 of 0 where none of them ran.
+LeakCount count_leaks(std::span<const CaseReport> reports);
+
+/// One line of it; "" where there were no such rays.
+std::string leak_line(const LeakCount& count);
+
 /// What the levels cost, a line per spot.
 std::string level_cost_table(std::span<const LevelCost> costs);
 
-/// {"schema": 1, "device": ..., "level", "seed", "samples_per_case", "held", "cases": [...], "level_costs": [...]} of a
-/// run; device as in `vernier devices --json`. Without costs they are left out.
+/// {"schema": 1, "device": ..., "level", "seed", "samples_per_case", "held", "cases": [...], "watertight": ...,
+/// "level_costs": [...]} of a run; device as in `vernier devices --json`. What was not measured is left out.
 nlohmann::json verify_json(const DeviceReport& device, const CaseSetup& setup, std::span<const CaseReport> reports,
                            std::span<const LevelCost> costs);
 

@@ -122,10 +122,8 @@ CaseResult run_edge_on(const CaseSetup& setup) {
     }
   }
   Tally tally;
-  std::vector<RayScene> scenes;
-  scenes.emplace_back(*setup.device, triangles_of(mesh));
   trace_samples(
-      setup, kName, VERIFY_CLOSEST, scenes, tally,
+      setup, kName, VERIFY_CLOSEST, scenes_of(setup, std::vector{mesh}), tally,
       [&](SampleRandom& random, std::uint32_t) {
         const auto& [foot, far_end] = lines[random.below(static_cast<std::uint32_t>(lines.size()))];
         const glm::vec3 origin(foot);
@@ -170,11 +168,9 @@ CaseResult run_seam(const CaseSetup& setup) {
   VerifyMesh mesh = grid_mesh(1, 2, 0.0f);
   const glm::dvec3 u(0.36, 0.48, -0.8), v(-0.8, 0.6, 0.0), away(0.48, 0.64, 0.6);
   for (glm::vec3& p : mesh.positions) p = glm::vec3((u * double{p.x} + v * double{p.y}) * 0.5);
-  std::vector<RayScene> scenes;
-  scenes.emplace_back(*setup.device, triangles_of(mesh));
   Tally tally;
   trace_samples(
-      setup, kName, VERIFY_CLOSEST, scenes, tally,
+      setup, kName, VERIFY_CLOSEST, scenes_of(setup, std::vector{mesh}), tally,
       [&](SampleRandom& random, std::uint32_t) {
         // Half of the samples lie on the diagonal; 0.99 keeps the others within the outline.
         const double x = random.in(-0.99, 0.99), y = random.below(2) == 0 ? x : random.in(-0.99, 0.99);

@@ -10,13 +10,13 @@ RENDER_DEFAULTS = {
     "--background": "a soft gradient", "--ambient": "that of the background", "--spp": "16", "--sample-range": "0:spp",
     "--max-bounces": "8", "--cutoff": "1/1024", "--accuracy": "robust", "--effects": "auto", "--tile": "chosen",
     "--dispatch-ms": "100", "--time-limit": "none", "--aov": "none", "--device": "the best", "--seed": "0",
-    "--exposure": "0", "--strict": "off", "--json": "none", "--quiet": "off", "--verbose": "off", "--output": "NAME.png",
+    "--exposure": "0", "--strict": "off", "--json": "none", "--checkpoint": "none", "--resume": "none", "--quiet": "off", "--verbose": "off", "--output": "NAME.png",
 }
 UNITS = {"--size": "pixels", "--crop": "pixels", "--eye": "metres", "--target": "metres", "--fov": "degrees",
          "--light": "candela", "--dispatch-ms": "milliseconds", "--time-limit": "seconds", "--exposure": "stops",
          "--spp": "samples per pixel", "--background": "linear radiance"}
-COMMANDS = ["render", "explain", "reference", "diff", "devices", "verify"]
-LATER = ["view", "cost", "merge", "rerun"]
+COMMANDS = ["render", "explain", "reference", "diff", "merge", "rerun", "devices", "verify"]
+LATER = ["view", "cost"]
 
 
 def option_texts(text):

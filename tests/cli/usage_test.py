@@ -49,7 +49,7 @@ class UsageTest(ProgramTest):
         self.check_error(USAGE, "B", "diff", "a.png")
 
     def test_options_of_later_stages_are_unknown(self):
-        for option in ["--error-target", "--checkpoint", "--resume"]:
+        for option in ["--checkpoint", "--resume"]:
             self.check_error(USAGE, option, "render", SCENE, option, "1")
 
     def test_option_given_twice(self):

@@ -21,6 +21,10 @@ class VerifyTest(ProgramTest):
         case, = report["cases"]
         self.assertEqual((case["name"], case["samples"], case["failures"]), ("shared_edge", 2048, 0))
         self.assertAlmostEqual(case["rate_bound"], 3 / 2048)
+        self.assertIn("0 of 2048 rays aimed at edges and corners got out, a rate below 0.0015", result.stdout)
+        self.assertIn("Embree's own test: 10900 rays at random, a rate of 2e-05 allowed", result.stdout)
+        self.assertEqual((report["watertight"]["rays"], report["watertight"]["leaks"]), (2048, 0))
+        self.assertEqual(report["watertight"]["embree"], {"rays": 10900, "allowed_rate": 2e-5})
 
     def test_the_seed_decides_the_inputs(self):
         errors = []

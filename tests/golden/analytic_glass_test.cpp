@@ -20,11 +20,11 @@ class Slab : public AnalyticScene {};
 // max_bounces = 2: through, through; a reflection inside would need a third bounce.
 TEST_F(Slab, ShiftsTheRayAsSnellSays) {
   constexpr double kThickness = 0.5, kIor = 1.5, kFar = -2.0, kHalf = 4.0;
-  add_rectangle({-9, -9, -0.25f}, {18, 0, 0}, {0, 18, 0}, glass(kIor));
-  add_rectangle({-9, -9, -0.75f}, {0, 18, 0}, {18, 0, 0}, glass(kIor));
+  add_rectangle(scene_, {-9, -9, -0.25f}, {18, 0, 0}, {0, 18, 0}, clear_glass(kIor));
+  add_rectangle(scene_, {-9, -9, -0.75f}, {0, 18, 0}, {18, 0, 0}, clear_glass(kIor));
   Material ramp;
   ramp.unlit = true;
-  add_rectangle({-kHalf, -9, kFar}, {2 * kHalf, 0, 0}, {0, 18, 0}, ramp);
+  add_rectangle(scene_, {-kHalf, -9, kFar}, {2 * kHalf, 0, 0}, {0, 18, 0}, ramp);
   scene_.meshes.back().colors = {{0, 0, 0, 1}, {1, 0, 0, 1}, {1, 0, 0, 1}, {0, 0, 0, 1}};
   look_from({0, 0, 0}, 1.5707963267948966);
   RenderSettings settings;
@@ -50,9 +50,9 @@ class Furnace : public AnalyticScene {
     for (int axis = 0; axis < 3; ++axis) {
       glm::vec3 u(0.0f), v(0.0f), corner(-1.0f);
       u[(axis + 1) % 3] = v[(axis + 2) % 3] = 2.0f;
-      add_rectangle(corner, v, u, material);
+      add_rectangle(scene_, corner, v, u, material);
       corner[axis] = 1.0f;
-      add_rectangle(corner, u, v, material);
+      add_rectangle(scene_, corner, u, v, material);
     }
   }
 };
@@ -61,7 +61,7 @@ class Furnace : public AnalyticScene {
 // faces of reflectance R = 0.04 and T = 1 - R, depth n lets n - 2 reflections inside end in an exit:
 // R + T^2 (1 + R + ... + R^(n-2)) = 1 - T R^(n-1).
 TEST_F(Furnace, ClearCubeVanishesInAWhiteWorld) {
-  add_cube(glass(1.5f));
+  add_cube(clear_glass(1.5f));
   scene_.environment.sky = scene_.environment.ground = glm::vec3(1.0f);
   scene_.environment.has_ambient_override = true;
   look_from({0.125, 0.0625, 3}, 0.25);

@@ -16,7 +16,7 @@ TEST_F(PlaneUnderALamp, IsAsBrightAsTheClosedForm) {
   constexpr int kSize = 33;
   const glm::dvec3 lamp(0.5, 0.25, 1.5);
   const glm::dvec3 intensity(3.0, 5.0, 7.0), diffuse(0.75, 0.5, 0.25);
-  add_rectangle({-8, -8, 0}, {16, 0, 0}, {0, 16, 0}, matte(glm::vec3(diffuse)));
+  add_rectangle(scene_, {-8, -8, 0}, {16, 0, 0}, {0, 16, 0}, matte(glm::vec3(diffuse)));
   Light light;
   light.position = lamp;
   light.intensity = glm::vec3(intensity);
@@ -46,8 +46,8 @@ TEST_F(MirrorCorridor, SumsTheGeometricSeriesUpToDepth1000) {
   constexpr float kReflectance = 0.9921875f, kEmission = 0.015625f;
   Material wall = mirror(kReflectance);
   wall.emission = glm::vec3(kEmission);
-  add_rectangle({-9, -9, -1}, {18, 0, 0}, {0, 18, 0}, wall);
-  add_rectangle({-9, -9, 1}, {0, 18, 0}, {18, 0, 0}, wall);
+  add_rectangle(scene_, {-9, -9, -1}, {18, 0, 0}, {0, 18, 0}, wall);
+  add_rectangle(scene_, {-9, -9, 1}, {0, 18, 0}, {18, 0, 0}, wall);
   look_from({0, 0.125, 0}, 0.01);
   RenderSettings settings;
   settings.width = settings.height = 3;

@@ -54,6 +54,7 @@ using glm::pow;
 using glm::sign;
 using glm::sqrt;
 using glm::uintBitsToFloat;
+using glm::uvec2;
 
 uint EFFECTS = 0xffffffffu;
 constexpr uint TRAVERSAL_STACK_SIZE = 64u;

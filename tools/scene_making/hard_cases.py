@@ -36,9 +36,8 @@ def edge_leaks() -> bytes:
             a = row * len(columns) + column
             below = a + len(columns)
             sheet.triangles += [(a, below, a + 1), (a + 1, below, below + 1)]
-    dark = scene.add_material("dark", (0.10, 0.14, 0.22), roughness=1.0, doubleSided=True)
+    dark = scene.add_material("dark", (0.05, 0.08, 0.15), doubleSided=True, extensions={"KHR_materials_unlit": {}})
     scene.add_node("sheet", mesh=scene.add_mesh("sheet", (sheet, dark)))
-    scene.add_light("lamp", "directional", (1, 1, 1), 6.0, towards=forward)
     scene.add_camera("view", eye, target, degrees=SHEET_DEGREES)
     return scene.to_bytes()
 
@@ -52,6 +51,22 @@ def far_camera() -> bytes:
     scene.add_node("ball", mesh=scene.add_mesh("ball", (meshes.icosphere(4), clay)), translation=[0, 1, 0])
     scene.add_light("lamp", "point", (1, 1, 1), 60.0, at=(-2.5, 3.5, 2.5))
     scene.add_camera("view", (3e4, 4e4, 86602.54), (0, 0.8, 0), degrees=0.0022)
+    return scene.to_bytes()
+
+
+def axis_parallel() -> bytes:
+    """Towers on a square, seen along -Z: the rays of the middle row and column of an image of odd size have components
+    of exactly 0, and those to a light straight above have two."""
+    scene = SceneFile("axis_parallel")
+    ground(scene, scene.add_material("square", (0.7, 0.7, 0.68)), 24.0)
+    stone = scene.add_material("stone", (0.75, 0.5, 0.35))
+    heights = random.Random(2)
+    towers = [meshes.moved(meshes.box((1.2, height, 1.2)), (2.0 * column, height / 2, -2.0 * row))
+              for row in range(4) for column in range(-3, 4)
+              for height in [0.5 + 0.5 * row + heights.random()]]
+    slab = meshes.moved(meshes.box((9.0, 0.2, 1.0)), (0.0, 3.2, 1.5))
+    scene.add_node("towers", mesh=scene.add_mesh("towers", (meshes.merged(*towers, slab), stone)))
+    scene.add_camera("view", (0, 2, 9), (0, 2, 0), degrees=40)
     return scene.to_bytes()
 
 

@@ -1,0 +1,117 @@
+#include "cli/read_recipe.h"
+
+#include <vector>
+
+#include "cli/parse_values.h"
+#include "cli/recipe.h"
+#include "error.h"
+
+namespace vernier {
+namespace {
+
+using Metadata = std::map<std::string, std::string>;
+
+[[noreturn]] void refuse(const std::string& name, const std::string& reason) {
+  throw Error(ErrorKind::refused, name + ": " + reason);
+}
+
+std::string text_of(const std::string& name, const Metadata& metadata, const std::string& attribute) {
+  const auto entry = metadata.find(attribute);
+  if (entry == metadata.end()) refuse(name, "its metadata have no " + attribute);
+  return entry->second;
+}
+
+/// The JSON object in an attribute.
+nlohmann::ordered_json object_of(const std::string& name, const Metadata& metadata, const std::string& attribute) {
+  auto object = nlohmann::ordered_json::parse(text_of(name, metadata, attribute), nullptr, false);
+  if (!object.is_object()) refuse(name, attribute + " in its metadata is no JSON object");
+  return object;
+}
+
+/// Where the text of each option belongs.
+std::map<std::string, std::string*> option_places(RenderCommandArguments& arguments) {
+  SceneArguments& scene = arguments.scene;
+  RenderArguments& render = arguments.render;
+  return {{"size", &render.size},
+          {"crop", &render.crop},
+          {"camera", &scene.camera},
+          {"eye", &scene.eye},
+          {"target", &scene.target},
+          {"up", &scene.up},
+          {"fov", &scene.fov},
+          {"background", &scene.background},
+          {"ambient", &scene.ambient},
+          {"spp", &render.spp},
+          {"sample-range", &render.sample_range},
+          {"max-bounces", &render.max_bounces},
+          {"cutoff", &render.cutoff},
+          {"accuracy", &render.accuracy},
+          {"effects", &render.effects},
+          {"aov", &render.aov},
+          {"seed", &render.seed}};
+}
+
+std::string string_of(const std::string& name, const std::string& option, const nlohmann::ordered_json& value) {
+  if (!value.is_string()) refuse(name, "--" + option + " in its metadata is no text");
+  return value.get<std::string>();
+}
+
+/// What the command line would not take, a file may not ask for.
+void check_texts(const std::string& name, const RenderCommandArguments& arguments) {
+  try {
+    parse_scene_settings(arguments.scene);
+    parse_render_settings(arguments.render);
+    parse_exposure(arguments.exposure);
+  } catch (const Error& error) {
+    refuse(name, std::string("in its recipe: ") + error.what());
+  }
+}
+
+}  // namespace
+
+nlohmann::ordered_json read_options(const std::string& name, const Metadata& metadata) {
+  if (!metadata.contains("vernier:options")) refuse(name, "holds no recipe: no metadata of a render by vernier");
+  return object_of(name, metadata, "vernier:options");
+}
+
+RenderCommandArguments read_recipe(const std::string& name, const Metadata& metadata) {
+  RenderCommandArguments arguments;
+  const nlohmann::ordered_json options = read_options(name, metadata);
+  const std::map<std::string, std::string*> places = option_places(arguments);
+  for (const auto& [option, value] : options.items()) {
+    if (option == "light" && value.is_array()) {
+      for (const auto& light : value) arguments.scene.lights.push_back(string_of(name, option, light));
+      continue;
+    }
+    const auto place = places.find(option);
+    if (place == places.end()) refuse(name, "its recipe has --" + option + ", which this version does not know");
+    *place->second = string_of(name, option, value);
+  }
+  // OpenEXR keeps no empty text: the built-in scene has no name.
+  if (metadata.contains("vernier:scene")) arguments.scene.scene = metadata.at("vernier:scene");
+  arguments.device = text_of(name, metadata, "vernier:device");
+  if (arguments.device == "reference") refuse(name, "is an image of vernier reference, not of a render");
+  if (metadata.contains("vernier:exposure")) arguments.exposure = metadata.at("vernier:exposure");
+  check_texts(name, arguments);
+  return arguments;
+}
+
+void check_scene_files(const std::string& name, const Metadata& metadata) {
+  if (!metadata.contains("vernier:scene_sha1")) return;
+  const nlohmann::ordered_json files = object_of(name, metadata, "vernier:files");
+  for (const auto& [file, digest] : files.items()) {
+    const std::vector<std::string> path{file};
+    if (sha1_of_files(path) != string_of(name, "files", digest)) {
+      refuse(file,
+             "is not the file it was when " + name + " was rendered (its SHA-1 was " + digest.get<std::string>() + ")");
+    }
+  }
+}
+
+void check_not_stopped(const std::string& name, const Metadata& metadata) {
+  const auto samples = metadata.find("vernier:stopped_at");
+  if (samples != metadata.end())
+    refuse(name, "was stopped before its end, at " + samples->second + " samples per pixel");
+}
+
+}  // namespace vernier

@@ -1,0 +1,99 @@
+#include "cli/rendered_image.h"
+
+#include <filesystem>
+#include <optional>
+
+#include "cli/cost_legend.h"
+#include "cli/interrupt.h"
+#include "cli/match_recipes.h"
+#include "cli/progress_bar.h"
+#include "cli/recipe.h"
+#include "cli/sample_command.h"
+#include "cli/scene_setup.h"
+#include "cli/warnings.h"
+#include "error.h"
+#include "render/film_file.h"
+#include "render/gpu_scene.h"
+#include "render/pipeline_file.h"
+#include "render/render_image.h"
+#include "render/trace_pipeline.h"
+
+namespace vernier {
+namespace {
+
+using Metadata = std::map<std::string, std::string>;
+
+/// What to go on from. A render that is killed before its first checkpoint begins anew by the same command.
+std::optional<SavedFilm> read_resumed(const RenderPlan& plan) {
+  if (plan.resume.empty()) return std::nullopt;
+  std::error_code failure;
+  if (plan.resume == plan.checkpoint && !std::filesystem::exists(plan.resume, failure)) return std::nullopt;
+  return read_film_file(plan.resume);
+}
+
+RenderResult render_with_progress(const Device& device, const SceneSetup& setup, const RenderPlan& plan,
+                                  const Metadata& recipe, const SavedFilm* resumed) {
+  ProgressBar bar(plan.quiet);
+  RenderCallbacks callbacks;
+  callbacks.progress = [&bar](const RenderProgress& progress) {
+    bar.update({progress.share, progress.rays_per_s, progress.eta_s});
+  };
+  callbacks.cancelled = interrupted;
+  callbacks.resumed = resumed;
+  std::optional<Checkpoint> checkpoint;
+  if (!plan.checkpoint.empty()) {
+    checkpoint.emplace(plan.checkpoint, recipe, plan.checkpoint_interval_s,
+                       [](const std::string& line) { print_warnings({line}); });
+    callbacks.checkpoint = &*checkpoint;
+  }
+  try {
+    return render_image(device, setup.scene, setup.camera, plan.settings, callbacks);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::device_lost) throw;
+    const bool saved = checkpoint && (checkpoint->is_saved() || plan.resume == plan.checkpoint);
+    const std::string hint =
+        saved ? resume_hint(plan, device.description().name) : "; nothing was saved, see --checkpoint";
+    throw Error(error.kind(), error.what() + hint);
+  }
+}
+
+/// The recipe and what else the metadata tell of the finished image.
+Metadata describe_image(const RenderPlan& plan, const RenderResult& result, Metadata recipe) {
+  const std::uint32_t samples = plan.settings.sample_end - plan.settings.sample_begin;
+  const RenderStatistics& statistics = result.statistics;
+  if (statistics.error) recipe["vernier:error_estimate"] = error_text(*statistics.error);
+  const bool reached =
+      plan.settings.error_target && statistics.error && statistics.error->bound() <= *plan.settings.error_target;
+  if (!reached && statistics.samples_done < samples) {
+    recipe["vernier:stopped_at"] = std::to_string(statistics.samples_done);
+  }
+  if (plan.display.exposure_ev != 0.0f) recipe["vernier:exposure"] = plan.exposure;
+  const std::string legend = cost_legend(result.image);
+  if (!legend.empty()) recipe["vernier:cost_legend"] = legend;
+  return recipe;
+}
+
+}  // namespace
+
+RenderedImage render_planned(const RenderPlan& plan) {
+  const std::optional<SavedFilm> resumed = read_resumed(plan);
+  const double aspect = static_cast<double>(plan.settings.width) / plan.settings.height;
+  const SceneSetup setup = set_up_scene(plan.scene, aspect);
+  print_warnings(setup.scene.warnings);
+  const VulkanInstance instance;
+  const DeviceDescription description = choose_device(list_devices(instance), plan.device);
+  const RecipeMaker maker{description.name, description.driver, trace_spirv_hash(choose_scene_loads(description))};
+  const Metadata recipe = render_recipe(plan.scene_arguments, setup.scene.files, plan.render_arguments, maker);
+  if (resumed) match_recipes("this render", recipe, plan.resume, resumed->recipe, {});
+  const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
+  RenderResult result = render_with_progress(device.device(), setup, plan, recipe, resumed ? &*resumed : nullptr);
+  print_warnings(result.statistics.warnings);
+
+  result.image.metadata.merge(describe_image(plan, result, recipe));
+  RenderReport report{setup.scene.source, description,          plan.settings, std::move(result.statistics),
+                      setup.load_ms,      setup.scene.warnings, device.store()};
+  report.warnings.insert(report.warnings.end(), report.statistics.warnings.begin(), report.statistics.warnings.end());
+  return {std::move(result.image), std::move(report)};
+}
+
+}  // namespace vernier
