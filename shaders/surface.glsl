@@ -63,7 +63,10 @@ vec3 bent_normal(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(SlotTe
   note_run(EFFECT_NORMAL_TEXTURE);
   vec3 bitangent = cross_product(normal, tangent) * frame.w;
   vec2 slope = (vec2(texels.normal.x, texels.normal.y) * 2.0f - 1.0f) * material.normal_scale;
-  vec3 bent = unit_vector(tangent * slope.x + bitangent * slope.y + normal * (texels.normal.z * 2.0f - 1.0f));
+  float height = texels.normal.z * 2.0f - 1.0f;
+  // Unit already: rounding it once more would tell a flat texture from none.
+  if (slope.x == 0.0f && slope.y == 0.0f && height > 0.0f) return normal;
+  vec3 bent = unit_vector(tangent * slope.x + bitangent * slope.y + normal * height);
   return bent == vec3(0.0f) ? normal : bent;
 }
 

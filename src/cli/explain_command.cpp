@@ -42,7 +42,7 @@ Explanation planned(const SceneSetup& setup, const RenderSettings& settings) {
   explanation.scene = setup.scene.source;
   explanation.settings = settings;
   const auto start = std::chrono::steady_clock::now();
-  explanation.plan = plan_effects(setup.scene, setup.camera, settings.max_bounces, settings.effects);
+  explanation.plan = plan_effects(setup.scene, setup.camera, settings.max_bounces, settings.cutoff, settings.effects);
   explanation.plan_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return explanation;
 }

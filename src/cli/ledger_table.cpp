@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "cli/effect_table.h"
 #include "cli/render_report.h"
 
 namespace vernier {
@@ -42,6 +43,7 @@ std::string frame_lines(const Explanation& explanation) {
     lines +=
         row("bounce %u: %.3f ms, %llu rays\n", bounce.depth, bounce.ms, static_cast<unsigned long long>(bounce.rays));
   }
+  lines += saved_line(ledger.saved);
   return lines + row("every effect compiled in: %.2f times the frame's time (%.2f to %.2f)\n", ledger.all.median,
                      ledger.all.least, ledger.all.most);
 }
@@ -62,6 +64,14 @@ nlohmann::ordered_json cost_json(const EffectSet& plan, const EffectLedger& ledg
           {"flip_mean", cost->flip_mean}};
 }
 
+nlohmann::ordered_json fixed_json(const EffectSet& plan) {
+  nlohmann::ordered_json fixed = nlohmann::ordered_json::array();
+  for (const EffectReason& one : plan.fixed) {
+    fixed.push_back({{"name", one.name}, {"on", one.on}, {"reason", one.reason}});
+  }
+  return fixed;
+}
+
 void add_frame(nlohmann::ordered_json& json, const Explanation& explanation) {
   const EffectLedger& ledger = explanation.ledger;
   json["device"] = explanation.device;
@@ -71,6 +81,7 @@ void add_frame(nlohmann::ordered_json& json, const Explanation& explanation) {
                    {"accuracy", to_string(explanation.settings.accuracy)},
                    {"device_ms", ledger.frame_ms},
                    {"rays", ray_count(ledger.rays)}};
+  json["saved_memory"] = saved_json(ledger.saved);
   json["all_effects"] = {{"time_to_frame", ledger.all.median}, {"least", ledger.all.least}, {"most", ledger.all.most}};
   json["bounces"] = nlohmann::ordered_json::array();
   for (const BounceCost& bounce : ledger.bounces) {
@@ -92,7 +103,7 @@ std::string ledger_table(const Explanation& explanation) {
     table += cost_columns(explanation.ledger, cost_of(explanation.ledger, effect.bit)) + "  " + effect.reason + "\n";
   }
   table += std::to_string(on_count) + " of " + std::to_string(explanation.plan.reasons.size()) + " effects on\n";
-  return table + frame_lines(explanation);
+  return table + unswitched_lines(explanation.plan) + frame_lines(explanation);
 }
 
 nlohmann::ordered_json explain_json(const Explanation& explanation) {
@@ -105,7 +116,11 @@ nlohmann::ordered_json explain_json(const Explanation& explanation) {
                                {"reason", effect.reason},
                                {"cost", cost_json(explanation.plan, explanation.ledger, cost)}});
   }
-  for (const char* measured : {"device", "driver", "frame", "all_effects", "bounces"}) json[measured] = nullptr;
+  json["fixed"] = fixed_json(explanation.plan);
+  json["depth"] = depth_json(explanation.plan.depth);
+  for (const char* measured : {"device", "driver", "frame", "saved_memory", "all_effects", "bounces"}) {
+    json[measured] = nullptr;
+  }
   if (!explanation.device.empty()) add_frame(json, explanation);
   return json;
 }

@@ -22,8 +22,9 @@ struct Explanation {
 /// it, and why; then the frame, every bounce, and what the pipeline with every effect would take.
 std::string ledger_table(const Explanation& explanation);
 
-/// {"schema": 1, "scene", "plan_ms", "effects": [{"name", "on", "reason", "cost"}...]} in bit order, with "device",
-/// "frame", "all_effects" and "bounces"; null for what was not measured. Times in milliseconds.
+/// {"schema": 1, "scene", "plan_ms", "effects": [{"name", "on", "reason", "cost"}...]} in bit order, with "fixed" (what
+/// has no switch) and "depth", and "device", "frame", "saved_memory", "all_effects" and "bounces"; null for what was
+/// not measured. Times in milliseconds.
 nlohmann::ordered_json explain_json(const Explanation& explanation);
 
 }  // namespace vernier

@@ -1,10 +1,13 @@
 #include "effects/detect_effects.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <sstream>
 
 #include "effects/effect_names.h"
+#include "effects/fixed_effects.h"
+#include "effects/needed_depth.h"
 #include "effects/seen_materials.h"
 
 namespace vernier {
@@ -99,10 +102,10 @@ void detect_coverage(EffectSet& effects, const SeenMaterial& seen) {
   }
 }
 
-void detect_bounces(EffectSet& effects, const SeenMaterial& seen, int max_bounces) {
+void detect_bounces(EffectSet& effects, const SeenMaterial& seen, const Supposition& supposed) {
   const MaterialTerms& terms = seen.terms;
-  const bool followed = max_bounces > 0 && !seen.material.unlit;
-  if (terms.mirror && followed) {
+  const bool followed = supposed.max_bounces > 0 && !seen.material.unlit;
+  if (terms.mirror && followed && !(seen.mirror_weight < supposed.cutoff)) {
     switch_on(effects, EFFECT_REFLECTION,
               seen.label + (terms.transmission ? ": reflects at its interface" : ": mirrors"));
   }
@@ -129,8 +132,10 @@ void detect_textures(EffectSet& effects, const Scene& scene, const SeenMaterial&
     const bool unseen = slot.slot == TEXTURE_SLOT_OCCLUSION && !(effects.bits & EFFECT_AMBIENT);
     if ((seen.texture_slots & 1u << slot.slot) && !unseen) {
       const auto index = static_cast<std::size_t>(seen.material.textures[slot.slot].texture);
+      const bool almost_flat = slot.slot == TEXTURE_SLOT_NORMAL && seen.bend == NormalMapBend::alike;
       switch_on(effects, slot.bit,
-                seen.label + ": " + slot.what + " " + label_of("texture", index, scene.textures[index].name));
+                seen.label + ": " + slot.what + " " + label_of("texture", index, scene.textures[index].name) +
+                    (almost_flat ? ", the same all over, but not exactly flat" : ""));
       detect_texture_format(effects, scene, seen.material.textures[slot.slot].texture);
     }
   }
@@ -193,7 +198,7 @@ EffectSet detect_under(const Scene& scene, const Camera& camera, const SceneFact
   for (const SeenMaterial& one : seen) {
     detect_surface(effects, one);
     detect_coverage(effects, one);
-    detect_bounces(effects, one, supposed.max_bounces);
+    detect_bounces(effects, one, supposed);
     detect_textures(effects, scene, one);
   }
   for (const EffectNeed& need : effect_needs()) {
@@ -211,18 +216,37 @@ void explain_absence(EffectSet& effects, const EffectSet& supposed, const char* 
   }
 }
 
+void explain_flat_normals(EffectSet& effects, const Scene& scene) {
+  EffectReason& smooth = effects.reasons[std::countr_zero(EFFECT_SMOOTH_NORMALS)];
+  for (std::size_t index = 0; !smooth.on && index < scene.meshes.size(); ++index) {
+    if (!scene.meshes[index].flat_normals) continue;
+    smooth.reason =
+        label_of("mesh", index, scene.meshes[index].name) + ": its vertex normals are those of its triangles";
+    return;
+  }
+}
+
 }  // namespace
 
-EffectSet detect_effects(const Scene& scene, const Camera& camera, int max_bounces) {
+EffectSet detect_effects(const Scene& scene, const Camera& camera, int max_bounces, double cutoff) {
   const SceneFacts facts = scene_facts(scene);
-  EffectSet effects = detect_under(scene, camera, facts, {.max_bounces = max_bounces});
-  const auto unless = [&](const Supposition& supposed, const char* but) {
+  const Supposition actual{.max_bounces = max_bounces, .cutoff = cutoff};
+  EffectSet effects = detect_under(scene, camera, facts, actual);
+  const auto unless = [&](auto change, const char* but) {
+    Supposition supposed = actual;
+    change(supposed);
     explain_absence(effects, detect_under(scene, camera, facts, supposed), but);
   };
-  unless({.max_bounces = 1}, "; but no bounces are allowed");
-  unless({.max_bounces = max_bounces, .texels_vary = true}, "; but texels that are all 0 or all 1 leave nothing of it");
-  unless({.max_bounces = max_bounces, .every_light_shines = true}, "");
-  unless({.max_bounces = max_bounces, .every_material_used = true}, "; but no triangle uses it");
+  unless([](Supposition& s) { s.max_bounces = 1; }, "; but no bounces are allowed");
+  unless([](Supposition& s) { s.ior_differs = true; }, "; but its ior is that of what is around it");
+  unless([](Supposition& s) { s.cutoff = 0.0; }, "; but always weaker than the cutoff");
+  unless([](Supposition& s) { s.texels_vary = true; }, "; but its texels leave nothing of it");
+  unless([](Supposition& s) { s.every_light_shines = true; }, "");
+  unless([](Supposition& s) { s.every_material_used = true; }, "; but no triangle uses it");
+  explain_flat_normals(effects, scene);
+  const std::vector<SeenMaterial> seen = seen_materials(scene, facts, actual);
+  effects.depth = needed_depth(effects.bits, seen, static_cast<std::uint32_t>(max_bounces), cutoff);
+  effects.fixed = fixed_effects(scene, effects, seen);
   return effects;
 }
 

@@ -5,6 +5,7 @@
 
 #include "effects/light_reach.h"
 #include "effects/material_terms.h"
+#include "effects/normal_map_bend.h"
 #include "effects/texture_values.h"
 #include "effects/used_materials.h"
 
@@ -14,6 +15,7 @@ namespace vernier {
 struct SceneFacts {
   std::vector<MaterialUsage> usage;   ///< by material
   std::vector<TextureValues> values;  ///< by texture, of those that used materials have
+  std::vector<NormalMapBend> bends;   ///< by material; varies where it has no normal texture or no triangle uses it
   WorldBox box;
 };
 
@@ -24,6 +26,8 @@ SceneFacts scene_facts(const Scene& scene);
 /// off: it would be on if ...
 struct Supposition {
   int max_bounces = 0;
+  double cutoff = 0.0;               ///< rays of a weight below are not traced
+  bool ior_differs = false;          ///< ... glass had another index of refraction than what is around it
   bool texels_vary = false;          ///< ... the texels of a texture were not all 0 or all 1
   bool every_material_used = false;  ///< ... a triangle used the material
   bool every_light_shines = false;   ///< ... the light were not black and in range
@@ -35,6 +39,8 @@ struct SeenMaterial {
   MaterialUsage usage;
   MaterialTerms terms;
   unsigned texture_slots = 0;
+  double mirror_weight = 0.0;  ///< of a reflected ray, at most
+  NormalMapBend bend = NormalMapBend::varies;
   std::string label;
 };
 

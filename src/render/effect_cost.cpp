@@ -26,16 +26,20 @@ double median(std::vector<double> values) {
 class Bench {
  public:
   Bench(const Device& device, const Scene& scene, const Camera& camera, const RenderSettings& settings,
-        std::uint32_t effects, int rounds)
+        const EffectSet& plan, int rounds)
       : settings_(settings),
+        bounces_(plan.depth.bounces),
         rounds_(rounds),
         scene_(device, scene, camera, settings),
-        frame_(scene_, scene_.specialization(effects), settings) {
-    rays_ = frame_.trace().rays;  // the first trace warms caches up and is not timed
+        frame_(scene_, lean(plan.bits), settings) {
+    const TraceTime first = trace_to(bounces_);  // warms caches up and is not timed
+    rays_ = first.rays;
+    saved_ = first.saved;
     picture_ = frame_.picture();
   }
 
   const RayCounts& rays() const { return rays_; }
+  const SavedMemory& saved() const { return saved_; }
   double frame_ms() const { return median(frame_ms_); }
 
   /// Device time of `other` to the frame's.
@@ -58,7 +62,7 @@ class Bench {
     EffectCost cost;
     cost.bit = bit;
     cost.without = left_out;
-    TimedTrace other(scene_, scene_.specialization(effects & ~left_out), settings_);
+    TimedTrace other(scene_, lean(effects & ~left_out), settings_);
     cost.rays = static_cast<std::int64_t>(total(rays_)) - static_cast<std::int64_t>(total(other.trace().rays));
     const Image picture = other.picture();
     cost.rmse = compare_images(picture, picture_).rmse;
@@ -71,17 +75,24 @@ class Bench {
   std::vector<BounceCost> bounces() {
     std::vector<BounceCost> costs;
     std::uint64_t before = 0;
-    for (std::uint32_t depth = 0; depth <= std::min(settings_.max_bounces, kDeepestTimed); ++depth) {
+    for (std::uint32_t depth = 0; depth <= std::min(bounces_, kDeepestTimed); ++depth) {
       const std::uint64_t rays = total(trace_to(depth).rays);
       if (rays == before) break;
       costs.push_back({depth, rays - before, added_ms(depth)});
       before = rays;
     }
-    scene_.set_max_bounces(settings_.max_bounces);
+    scene_.set_max_bounces(bounces_);
     return costs;
   }
 
  private:
+  /// As a render specializes: no place on the stack for rays that are deeper than any can be.
+  TraceSpecialization lean(std::uint32_t effects) const {
+    TraceSpecialization values = scene_.specialization(effects);
+    values.path_stack = waiting_rays(effects, bounces_);
+    return values;
+  }
+
   TraceTime trace_to(std::uint32_t depth) {
     scene_.set_max_bounces(depth);
     return frame_.trace();
@@ -98,10 +109,12 @@ class Bench {
   }
 
   RenderSettings settings_;
+  std::uint32_t bounces_;
   int rounds_;
   StagedScene scene_;
   TimedTrace frame_;
   RayCounts rays_;
+  SavedMemory saved_;
   Image picture_;
   std::vector<double> frame_ms_;
 };
@@ -115,9 +128,10 @@ std::uint32_t left_out_with(const EffectSet& plan, const EffectReason& effect) {
 
 EffectLedger measure_effect_costs(const Device& device, const Scene& scene, const Camera& camera,
                                   const RenderSettings& settings, const EffectSet& plan, const EffectCostSetup& setup) {
-  Bench bench(device, scene, camera, settings, plan.bits, setup.rounds);
+  Bench bench(device, scene, camera, settings, plan, setup.rounds);
   EffectLedger ledger;
   ledger.rays = bench.rays();
+  ledger.saved = bench.saved();
   ledger.bounces = bench.bounces();
   ledger.all = bench.ratio_of_all();
   const double steps = std::popcount(plan.bits) + 1.0;

@@ -33,6 +33,7 @@ struct BounceCost {
 struct EffectLedger {
   double frame_ms = 0.0;            ///< device time with the plan's effects, median
   RayCounts rays;                   ///< of that frame
+  SavedMemory saved;                ///< of that frame
   RatioSpread all;                  ///< device time with every effect there is to that with the plan's
   std::vector<EffectCost> effects;  ///< of those that are on, in bit order
   std::vector<BounceCost> bounces;  ///< until a bounce adds no ray, 16 at most

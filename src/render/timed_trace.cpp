@@ -52,8 +52,9 @@ TimedTrace::TimedTrace(const StagedScene& scene, const TraceSpecialization& spec
 
 TraceTime TimedTrace::trace() {
   const TraceStatistics after = tracer_.trace({});
-  const TraceTime time{after.device_ms - before_.device_ms, difference(after.rays, before_.rays)};
-  before_ = {after.device_ms, after.rays};
+  TraceTime time{after.device_ms - before_.device_ms, difference(after.rays, before_.rays), after.saved};
+  time.saved.aov_bytes = Film::aov_bytes(film_.area());
+  before_ = {after.device_ms, after.rays, {}};
   return time;
 }
 

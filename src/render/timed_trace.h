@@ -37,6 +37,7 @@ class StagedScene {
 struct TraceTime {
   double device_ms = 0.0;
   RayCounts rays;
+  SavedMemory saved;  ///< of all its buffers, against a pipeline with every effect, all AOVs and the cost
 };
 
 /// A pipeline of its own and a film, timed again and again. What it is compared with should be traced right before:

@@ -6,6 +6,7 @@ import unittest
 from program import NO_DEVICE, SCENE, SMALL, TRIANGLE_OBJ, ProgramTest
 
 EFFECT_COUNT = 25
+FIXED_COUNT = 3
 NOWHERE = {"VK_DRIVER_FILES": "/nonexistent.json", "VK_ICD_FILENAMES": "/nonexistent.json"}
 
 
@@ -19,12 +20,17 @@ class ExplainTest(ProgramTest):
             word = "on " if effect["on"] else "off"
             self.assertRegex(result.stdout, rf"(?m)^{word} +{effect['name']} ")
             self.assertIn(effect["reason"], result.stdout)
+        self.assertEqual(len(report["fixed"]), FIXED_COUNT)
+        for one in report["fixed"]:
+            self.assertRegex(result.stdout, rf"(?m)^{'on ' if one['on'] else 'off'} +{one['name']} ")
+        depth = report["depth"]
+        self.assertIn(f"depth needed: {depth['bounces']} of {depth['allowed']} bounces, {depth['reason']}", result.stdout)
         return report
 
     def explain(self, *arguments):
         result = self.check_done("explain", *arguments, "--no-costs", "--json", "effects.json")
         report = self.check_report(result)
-        self.assertEqual(len(result.stdout.splitlines()), EFFECT_COUNT + 1)
+        self.assertEqual(len(result.stdout.splitlines()), EFFECT_COUNT + 1 + 1 + FIXED_COUNT + 1)
         return {effect["name"]: effect["on"] for effect in report["effects"]}
 
     def test_costs_are_those_of_what_is_on(self):
@@ -38,6 +44,9 @@ class ExplainTest(ProgramTest):
         rays = report["frame"]["rays"]
         self.assertEqual(report["frame"]["size"], [24, 16])
         self.assertEqual(sum(bounce["rays"] for bounce in report["bounces"]), rays)
+        self.assertEqual(report["depth"]["bounces"], 0)
+        self.assertGreater(report["saved_memory"]["path_stack_bytes"], 0)
+        self.assertGreater(report["saved_memory"]["aov_bytes"], 0)
         self.assertEqual(costs["shadows"]["rays"], rays - 24 * 16, "all but the camera rays")
         self.assertEqual(costs["shadows"]["rmse"], 0.0, "nothing casts a shadow here")
         self.assertGreater(costs["directional_lights"]["rmse"], 0.0)

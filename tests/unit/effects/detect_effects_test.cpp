@@ -143,9 +143,8 @@ TEST(ReasonForOff, NamesTheTextureThatSaysNothing) {
   Scene scene = white_triangle();
   add_texture(scene, TEXTURE_SLOT_BASE_COLOR);
   scene.textures[0].texels = std::make_shared<Texels>(Texels{TEXTURE_FORMAT_SRGB8, 1, 1, {~0u}});
-  EXPECT_EQ(
-      reason_without(scene, EFFECT_BASE_COLOR_TEXTURE),
-      "material 0 (paint): base colour texture 0 (checker); but texels that are all 0 or all 1 leave nothing of it");
+  EXPECT_EQ(reason_without(scene, EFFECT_BASE_COLOR_TEXTURE),
+            "material 0 (paint): base colour texture 0 (checker); but its texels leave nothing of it");
 }
 
 TEST(ReasonForOff, IsOfEverythingWhereNothingInTheFileAsks) {
