@@ -89,11 +89,12 @@ SurfacePoint surface_point(IN(TrianglePoint) point, IN(DeviceMaterial) material,
 // Opacity of the hit in [0, 1]: 0 where a mask cuts it out. `color` is the vertex colour.
 float surface_alpha(IN(DeviceMaterial) material, IN(SlotTexels) texels, IN(vec4) color) {
   uint mode = alpha_mode_of(material);
-  if (mode == ALPHA_OPAQUE) return 1.0f;
-  note_run(mode == ALPHA_MASK ? EFFECT_ALPHA_MASK : EFFECT_ALPHA_BLEND);
+  bool mask = mode == ALPHA_MASK;
+  if (mode == ALPHA_OPAQUE || (mask ? !effect_on(EFFECT_ALPHA_MASK) : !effect_on(EFFECT_ALPHA_BLEND))) return 1.0f;
+  note_run(mask ? EFFECT_ALPHA_MASK : EFFECT_ALPHA_BLEND);
   float textured = workflow_of(material) == WORKFLOW_BLINN ? texels.alpha.x : texels.base_color.w;
   float alpha = material.base_color.w * color.w * textured;
-  if (mode == ALPHA_MASK) return alpha < material.alpha_cutoff ? 0.0f : 1.0f;
+  if (mask) return alpha < material.alpha_cutoff ? 0.0f : 1.0f;
   return clamp(alpha, 0.0f, 1.0f);
 }
 
