@@ -47,6 +47,10 @@ std::uint64_t Film::size_bytes() const {
   return sum;
 }
 
+void Film::clear(const Device& device) {
+  for (Band& band : bands_) band.sums.clear(device);
+}
+
 std::vector<std::uint32_t> Film::read_sums(const Device& device) const {
   return read_bands(device, bands_, static_cast<std::size_t>(area_.width) * FILM_WORDS, area_.height, &Band::sums);
 }

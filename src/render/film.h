@@ -36,6 +36,8 @@ class Film {
 
   /// What room for the AOVs of `area` takes.
   static std::uint64_t aov_bytes(const PixelRect& area);
+  /// Takes all samples out; waits. AOVs stay.
+  void clear(const Device& device);
   /// Words per pixel [height][width][FILM_WORDS] of the sums. Waits for the device.
   std::vector<std::uint32_t> read_sums(const Device& device) const;
   /// Replaces the sums by `words`, as many as read_sums gives; waits. Throws std::logic_error for another number.

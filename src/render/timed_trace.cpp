@@ -44,6 +44,12 @@ void StagedScene::set_max_bounces(std::uint32_t max_bounces) {
   gpu_scene_.set_constants(device_, packed_.constants, packed_.steering);
 }
 
+void StagedScene::set_view(const Camera& camera, const RenderSettings& settings) {
+  set_camera(packed_, camera, settings);
+  set_settings(packed_, settings);
+  gpu_scene_.set_constants(device_, packed_.constants, packed_.steering);
+}
+
 TimedTrace::TimedTrace(const StagedScene& scene, const TraceSpecialization& specialization,
                        const RenderSettings& settings)
     : device_(scene.device()),

@@ -24,6 +24,8 @@ class StagedScene {
   TraceSpecialization specialization(std::uint32_t effects) const;
   /// Traces begun from now on go `max_bounces` deep, at most as deep as the settings said at the start.
   void set_max_bounces(std::uint32_t max_bounces);
+  /// Traces begun from now on see through `camera` with the size, seed, samples, bounces and cutoff of `settings`.
+  void set_view(const Camera& camera, const RenderSettings& settings);
 
  private:
   const Device& device_;

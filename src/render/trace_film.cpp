@@ -40,14 +40,14 @@ void add_before(const SavedFilm& before, TraceStatistics& statistics) {
 /// One trace into a film, with its schedule and where it stands.
 class TraceRun {
  public:
-  TraceRun(const Device& device, TileTracer& tracer, const Film& film, const RenderSettings& settings,
-           const RenderCallbacks& callbacks)
+  TraceRun(const Device& device, TileTracer& tracer, const Film& film, const PixelRect& area,
+           const RenderSettings& settings, const RenderCallbacks& callbacks)
       : device_(device),
         tracer_(tracer),
         film_(film),
         settings_(settings),
         callbacks_(callbacks),
-        tiles_(tracer.tiles()),
+        tiles_(tracer.tiles(area)),
         passes_(schedule_passes(settings.sample_begin, settings.sample_end, tracer.most_samples())),
         position_(callbacks.resumed ? callbacks.resumed->position
                                     : TracePosition{tracer.tile(), settings.sample_begin, 0}) {
@@ -154,7 +154,12 @@ FilmTracer::~FilmTracer() = default;
 FilmTracer::FilmTracer(FilmTracer&&) noexcept = default;
 
 TraceStatistics FilmTracer::trace(const RenderCallbacks& callbacks) {
-  TraceRun run(device_, *tracer_, film_, settings_, callbacks);
+  return trace_part(film_.area(), settings_, callbacks);
+}
+
+TraceStatistics FilmTracer::trace_part(const PixelRect& area, const RenderSettings& settings,
+                                       const RenderCallbacks& callbacks) {
+  TraceRun run(device_, *tracer_, film_, area, settings, callbacks);
   run.trace();
   return run.statistics();
 }
