@@ -64,6 +64,7 @@ Fresnel exact_fresnel(IN(float) cosine, IN(float) eta) {
 // For eta < 1 the bracket of r_p is written g^2 - eta^2 (1 - c^2): its two terms are as small as q^2 there, so R + T keeps
 // the bound of the robust level (tests/shader/fresnel_test.cpp), which the other form breaks from eta = 1/2.4 on downwards.
 Fresnel fresnel_dielectric(IN(float) cosine, IN(float) eta) {
+  if (eta == 1.0f) return Fresnel(0.0f, 1.0f, cosine);  // no boundary, at grazing incidence too
   if (level_at(SPOT_FRESNEL) == LEVEL_FAST) return textbook_fresnel(cosine, eta);
   if (level_at(SPOT_FRESNEL) == LEVEL_EXACT) return exact_fresnel(cosine, eta);
   float g_squared = narrowed(wide_g_squared(cosine, eta));

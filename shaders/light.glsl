@@ -30,10 +30,15 @@ DeviceLight fetch_light(IN(uint) index) {
   return light;
 }
 
-// `light` seen from `position` (units): with attenuation, cone and range. Black where the light is at the position itself.
+// `light` seen from `position` (units): with attenuation, cone and range. Black where the light is at the position itself,
+// and where lights of its kind are off.
 LightSample sample_light(IN(DeviceLight) light, IN(vec3) position) {
-  note_run(light.kind == LIGHT_DIRECTIONAL ? EFFECT_DIRECTIONAL_LIGHTS : EFFECT_POINT_LIGHTS);
-  if (light.kind == LIGHT_DIRECTIONAL) return LightSample(-light.direction, light.intensity, -light.direction, true);
+  bool directional = light.kind == LIGHT_DIRECTIONAL;
+  if (directional ? !effect_on(EFFECT_DIRECTIONAL_LIGHTS) : !effect_on(EFFECT_POINT_LIGHTS)) {
+    return LightSample(vec3(0.0f), vec3(0.0f), vec3(0.0f), directional);
+  }
+  note_run(directional ? EFFECT_DIRECTIONAL_LIGHTS : EFFECT_POINT_LIGHTS);
+  if (directional) return LightSample(-light.direction, light.intensity, -light.direction, true);
   vec3 offset = light.position - position;
   vec3 direction = unit_vector(offset);
   float distance = dot_product(offset, direction);

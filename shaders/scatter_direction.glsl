@@ -46,6 +46,7 @@ vec3 exact_refracted_direction(IN(vec3) to_viewer, IN(vec3) normal, IN(float) et
 // (-v - n k / (c + g)) / eta, where k / (c + g) = g - c without its cancellation. Kept below the surface. Unit.
 vec3 refracted_direction(IN(vec3) to_viewer, IN(vec3) normal, IN(vec3) geometric_normal, IN(float) eta,
                          IN(Fresnel) fresnel) {
+  if (eta == 1.0f) return -to_viewer;
   if (level_at(SPOT_FRESNEL) == LEVEL_EXACT) {
     vec3 exact = exact_refracted_direction(to_viewer, normal, eta);
     vec3 kept = kept_on_side(exact, -geometric_normal);

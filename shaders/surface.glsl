@@ -63,7 +63,10 @@ vec3 bent_normal(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(SlotTe
   note_run(EFFECT_NORMAL_TEXTURE);
   vec3 bitangent = cross_product(normal, tangent) * frame.w;
   vec2 slope = (vec2(texels.normal.x, texels.normal.y) * 2.0f - 1.0f) * material.normal_scale;
-  vec3 bent = unit_vector(tangent * slope.x + bitangent * slope.y + normal * (texels.normal.z * 2.0f - 1.0f));
+  float height = texels.normal.z * 2.0f - 1.0f;
+  // Unit already: rounding it once more would tell a flat texture from none.
+  if (slope.x == 0.0f && slope.y == 0.0f && height > 0.0f) return normal;
+  vec3 bent = unit_vector(tangent * slope.x + bitangent * slope.y + normal * height);
   return bent == vec3(0.0f) ? normal : bent;
 }
 
@@ -86,11 +89,12 @@ SurfacePoint surface_point(IN(TrianglePoint) point, IN(DeviceMaterial) material,
 // Opacity of the hit in [0, 1]: 0 where a mask cuts it out. `color` is the vertex colour.
 float surface_alpha(IN(DeviceMaterial) material, IN(SlotTexels) texels, IN(vec4) color) {
   uint mode = alpha_mode_of(material);
-  if (mode == ALPHA_OPAQUE) return 1.0f;
-  note_run(mode == ALPHA_MASK ? EFFECT_ALPHA_MASK : EFFECT_ALPHA_BLEND);
+  bool mask = mode == ALPHA_MASK;
+  if (mode == ALPHA_OPAQUE || (mask ? !effect_on(EFFECT_ALPHA_MASK) : !effect_on(EFFECT_ALPHA_BLEND))) return 1.0f;
+  note_run(mask ? EFFECT_ALPHA_MASK : EFFECT_ALPHA_BLEND);
   float textured = workflow_of(material) == WORKFLOW_BLINN ? texels.alpha.x : texels.base_color.w;
   float alpha = material.base_color.w * color.w * textured;
-  if (mode == ALPHA_MASK) return alpha < material.alpha_cutoff ? 0.0f : 1.0f;
+  if (mask) return alpha < material.alpha_cutoff ? 0.0f : 1.0f;
   return clamp(alpha, 0.0f, 1.0f);
 }
 

@@ -4,6 +4,19 @@
 
 namespace vernier {
 
+std::string unswitched_lines(const EffectSet& effects) {
+  std::size_t widest = 0;
+  for (const EffectReason& one : effects.fixed) widest = std::max(widest, one.name.size());
+  std::string lines = "with no switch, since nothing would be saved:\n";
+  for (const EffectReason& one : effects.fixed) {
+    const std::string padding(widest - one.name.size(), ' ');
+    lines += (one.on ? "on   " : "off  ") + one.name + padding + "  " + one.reason + "\n";
+  }
+  const DepthNeed& depth = effects.depth;
+  return lines + "depth needed: " + std::to_string(depth.bounces) + " of " + std::to_string(depth.allowed) +
+         " bounces, " + depth.reason + "\n";
+}
+
 std::string effect_table(const EffectSet& effects) {
   std::size_t widest = 0;
   std::size_t on_count = 0;
@@ -16,15 +29,8 @@ std::string effect_table(const EffectSet& effects) {
     const std::string padding(widest - effect.name.size(), ' ');
     table += (effect.on ? "on   " : "off  ") + effect.name + padding + "  " + effect.reason + "\n";
   }
-  return table + std::to_string(on_count) + " of " + std::to_string(effects.reasons.size()) + " effects on\n";
-}
-
-nlohmann::ordered_json effects_json(const std::string& scene, const EffectSet& effects) {
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const EffectReason& effect : effects.reasons) {
-    list.push_back({{"name", effect.name}, {"on", effect.on}, {"reason", effect.reason}});
-  }
-  return {{"schema", 1}, {"scene", scene}, {"effects", list}};
+  return table + std::to_string(on_count) + " of " + std::to_string(effects.reasons.size()) + " effects on\n" +
+         unswitched_lines(effects);
 }
 
 }  // namespace vernier

@@ -85,12 +85,7 @@ std::string spp_text(const RenderArguments& arguments) {
 }
 
 void add_size_option(CLI::App& app, std::string& size) {
-  app.add_option("--size", size, "pixels, each side from 1 to 65536 (default: 1280x720)")->type_name("WxH");
-}
-
-void add_bounces_option(CLI::App& app, std::string& max_bounces) {
-  app.add_option("--max-bounces", max_bounces, "depth of reflections and refractions, 0 to 1000 (default: 8)")
-      ->type_name("N");
+  app.add_option("--size", size, "pixels, each side from 1 to 65536 (default: " + size + ")")->type_name("WxH");
 }
 
 void add_effects_option(CLI::App& app, std::string& effects) {
@@ -101,17 +96,29 @@ void add_effects_option(CLI::App& app, std::string& effects) {
       ->type_name("LIST");
 }
 
-void add_sampling_options(CLI::App& app, RenderArguments& arguments) {
-  app.add_option(
-         "--spp", arguments.spp,
-         "samples per pixel; 1 samples the pixel centre (default: 16; with --error-target the most of a pixel: 65536)")
+void add_accuracy_option(CLI::App& app, std::string& accuracy) {
+  app.add_option("--accuracy", accuracy,
+                 "numeric level: fast (what most renderers do), robust (bounded errors) or exact (twice the precision) "
+                 "(default: robust)")
+      ->type_name("LEVEL");
+}
+
+void add_path_options(CLI::App& app, RenderArguments& arguments) {
+  app.add_option("--max-bounces", arguments.max_bounces, "depth of reflections and refractions, 0 to 1000 (default: 8)")
       ->type_name("N");
-  add_bounces_option(app, arguments.max_bounces);
   app.add_option("--cutoff", arguments.cutoff,
                  "a ray whose weight falls below W in [0, 1] is not traced; 0 never cuts (default: 1/1024)")
       ->type_name("W");
   app.add_option("--seed", arguments.seed, "number of the sample pattern, 0 to 4294967295 (default: 0)")
       ->type_name("N");
+}
+
+void add_sampling_options(CLI::App& app, RenderArguments& arguments) {
+  app.add_option(
+         "--spp", arguments.spp,
+         "samples per pixel; 1 samples the pixel centre (default: 16; with --error-target the most of a pixel: 65536)")
+      ->type_name("N");
+  add_path_options(app, arguments);
 }
 
 void add_render_options(CLI::App& app, RenderArguments& arguments) {
@@ -129,10 +136,7 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
                  "primitive_id, sample_count, cost (per sample); EXR holds them all, other formats make NAME.AOV.EXT "
                  "(default: none)")
       ->type_name("LIST");
-  app.add_option("--accuracy", arguments.accuracy,
-                 "numeric level: fast (what most renderers do), robust (bounded errors) or exact (twice the precision) "
-                 "(default: robust)")
-      ->type_name("LEVEL");
+  add_accuracy_option(app, arguments.accuracy);
   add_effects_option(app, arguments.effects);
   // For tests: not in the help, and a pipeline of its own that is slower.
   app.add_flag("--count-effects", arguments.count_effects, "adds effect_runs and rays_by_depth to --json")->group("");

@@ -29,14 +29,17 @@ struct RenderArguments {
 /// The samples per pixel that are meant: 16 where none are given, with an error target the most a pixel gets, 65536.
 std::string spp_text(const RenderArguments& arguments);
 
-/// Adds --size to `app`: what reference and explain share with render.
+/// Adds --size to `app`, with the default that `size` holds: what reference and explain share with render.
 void add_size_option(CLI::App& app, std::string& size);
 
 /// Adds --spp, --max-bounces, --cutoff and --seed, which render and reference share.
 void add_sampling_options(CLI::App& app, RenderArguments& arguments);
 
-/// Adds --max-bounces alone, for commands that trace nothing.
-void add_bounces_option(CLI::App& app, std::string& max_bounces);
+/// The same without --spp.
+void add_path_options(CLI::App& app, RenderArguments& arguments);
+
+/// Adds --accuracy.
+void add_accuracy_option(CLI::App& app, std::string& accuracy);
 
 /// Adds --effects.
 void add_effects_option(CLI::App& app, std::string& effects);

@@ -33,12 +33,6 @@ nlohmann::ordered_json pipelines_json(const std::vector<PipelineTime>& pipelines
   return by_name;
 }
 
-nlohmann::ordered_json saved_json(const SavedMemory& saved) {
-  return {{"path_stack_bytes", saved.path_stack_bytes},
-          {"sample_cost_bytes", saved.sample_cost_bytes},
-          {"aov_bytes", saved.aov_bytes}};
-}
-
 nlohmann::ordered_json bvh_json(const RenderStatistics& statistics) {
   return {{"nodes", statistics.bvh_nodes},
           {"bytes", statistics.bvh_bytes},
@@ -89,8 +83,6 @@ void add_effect_runs(nlohmann::ordered_json& json, const RenderStatistics& stati
 
 /// What each pipeline took, what came of their file, and what was not allocated.
 std::string pipeline_text(const RenderReport& report) {
-  constexpr double kMebibyte = 1024.0 * 1024.0;
-  const SavedMemory& saved = report.statistics.saved;
   std::string text = "pipelines:";
   char part[160];
   for (const PipelineTime& pipeline : report.statistics.pipelines) {
@@ -98,11 +90,7 @@ std::string pipeline_text(const RenderReport& report) {
     text += part;
   }
   text += " " + report.pipeline_note + "\n";
-  std::snprintf(part, sizeof part, "not allocated: path stack %.2f MiB, sample costs %.2f MiB, AOVs %.2f MiB\n",
-                static_cast<double>(saved.path_stack_bytes) / kMebibyte,
-                static_cast<double>(saved.sample_cost_bytes) / kMebibyte,
-                static_cast<double>(saved.aov_bytes) / kMebibyte);
-  return text + part;
+  return text + saved_line(report.statistics.saved);
 }
 
 void add_outcome(nlohmann::ordered_json& json, const RenderReport& report) {
@@ -116,6 +104,7 @@ void add_outcome(nlohmann::ordered_json& json, const RenderReport& report) {
   json["samples_done"] = statistics.samples_done;
   json["mean_samples"] = statistics.mean_samples;
   json["effects"] = effects_by_name(statistics.effects);
+  json["depth"] = depth_json(statistics.effects.depth);
   json["non_finite_pixels"] = statistics.non_finite_pixels;
   json["stack_overflows"] = statistics.stack_overflows;
   json["error_estimate"] = nullptr;  // only known with an error target
@@ -126,6 +115,26 @@ void add_outcome(nlohmann::ordered_json& json, const RenderReport& report) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json saved_json(const SavedMemory& saved) {
+  return {{"path_stack_bytes", saved.path_stack_bytes},
+          {"sample_cost_bytes", saved.sample_cost_bytes},
+          {"aov_bytes", saved.aov_bytes}};
+}
+
+nlohmann::ordered_json depth_json(const DepthNeed& depth) {
+  return {{"bounces", depth.bounces}, {"allowed", depth.allowed}, {"reason", depth.reason}};
+}
+
+std::string saved_line(const SavedMemory& saved) {
+  constexpr double kMebibyte = 1024.0 * 1024.0;
+  char text[160];
+  std::snprintf(text, sizeof text, "not allocated: path stack %.2f MiB, sample costs %.2f MiB, AOVs %.2f MiB\n",
+                static_cast<double>(saved.path_stack_bytes) / kMebibyte,
+                static_cast<double>(saved.sample_cost_bytes) / kMebibyte,
+                static_cast<double>(saved.aov_bytes) / kMebibyte);
+  return text;
+}
 
 std::uint64_t ray_count(const RayCounts& rays) {
   return rays.primary + rays.shadow + rays.reflection + rays.refraction;

@@ -20,6 +20,15 @@ struct RenderReport {
   std::string pipeline_note;          ///< what came of the file of compiled pipelines
 };
 
+/// What was not allocated, in bytes.
+nlohmann::ordered_json saved_json(const SavedMemory& saved);
+
+/// {"bounces", "allowed", "reason"}.
+nlohmann::ordered_json depth_json(const DepthNeed& depth);
+
+/// What was not allocated, for people.
+std::string saved_line(const SavedMemory& saved);
+
 /// Rays of all kinds.
 std::uint64_t ray_count(const RayCounts& rays);
 

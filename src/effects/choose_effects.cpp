@@ -24,7 +24,7 @@ void add_with_needs(EffectSet& effects, std::uint32_t bit) {
   switch_on(effects, bit, kAsked);
   for (const EffectNeed& need : effect_needs()) {
     if (need.effect == bit) {
-      switch_on(effects, need.needed, std::string("needed by ") + effect_name(bit));
+      switch_on(effects, need.needed, need_reason(need));
     }
   }
 }
@@ -79,7 +79,18 @@ EffectSet choose_effects(const EffectSet& detected, const std::string& list) {
   while (std::getline(items, item, ',')) {
     apply(effects, detected, item);
   }
+  effects.fixed = detected.fixed;
+  effects.depth = detected.depth;
+  if ((effects.bits & ~detected.bits) != 0) {
+    effects.depth.bounces = effects.depth.allowed;
+    effects.depth.reason = "--effects asks for more than was found";
+  }
   return effects;
+}
+
+EffectSet plan_effects(const Scene& scene, const Camera& camera, std::uint32_t max_bounces, double cutoff,
+                       const std::string& list) {
+  return choose_effects(detect_effects(scene, camera, static_cast<int>(max_bounces), cutoff), list);
 }
 
 }  // namespace vernier

@@ -1,28 +1,17 @@
 #include "effects/detect_effects.h"
 
 #include <array>
+#include <bit>
 #include <cmath>
 #include <sstream>
 
 #include "effects/effect_names.h"
-#include "effects/effective_material.h"
-#include "effects/light_reach.h"
-#include "effects/material_terms.h"
-#include "effects/texture_values.h"
-#include "effects/used_materials.h"
+#include "effects/fixed_effects.h"
+#include "effects/needed_depth.h"
+#include "effects/seen_materials.h"
 
 namespace vernier {
 namespace {
-
-// What all rules look at: the materials that can be seen as their textures leave them, each with its terms and its name
-// for a reason.
-struct SeenMaterial {
-  Material material;
-  MaterialUsage usage;
-  MaterialTerms terms;
-  unsigned texture_slots;
-  std::string label;
-};
 
 struct SlotEffect {
   unsigned slot;
@@ -46,40 +35,10 @@ bool is_zero(const glm::vec3& value) {
   return value == glm::vec3(0.0f);
 }
 
-std::string label_of(const char* what, std::size_t index, const std::string& name) {
-  const std::string number = std::string(what) + " " + std::to_string(index);
-  return name.empty() ? number : number + " (" + name + ")";
-}
-
 std::string to_text(const glm::vec3& value) {
   std::ostringstream text;
   text << value.x << ", " << value.y << ", " << value.z;
   return text.str();
-}
-
-std::vector<bool> used_textures(const Scene& scene, const std::vector<MaterialUsage>& usage) {
-  std::vector<bool> used(scene.textures.size());
-  for (std::size_t index = 0; index < usage.size(); ++index) {
-    for (const TextureUse& use : scene.materials[index].textures) {
-      if (usage[index].used && use.texture >= 0) used[static_cast<std::size_t>(use.texture)] = true;
-    }
-  }
-  return used;
-}
-
-std::vector<SeenMaterial> seen_materials(const Scene& scene) {
-  std::vector<SeenMaterial> seen;
-  const std::vector<MaterialUsage> usage = used_materials(scene);
-  const std::vector<TextureValues> values = texture_values(scene, used_textures(scene, usage));
-  for (std::size_t index = 0; index < usage.size(); ++index) {
-    if (usage[index].used) {
-      const Material material = effective_material(scene.materials[index], values, usage[index].vertex_colors);
-      const MaterialTerms terms = material_terms(material, usage[index]);
-      seen.push_back({material, usage[index], terms, counted_texture_slots(material, terms),
-                      label_of("material", index, material.name)});
-    }
-  }
-  return seen;
 }
 
 std::uint32_t kind_bit(LightKind kind) {
@@ -89,29 +48,37 @@ std::uint32_t kind_bit(LightKind kind) {
   return kind == LightKind::spot ? EFFECT_SPOT_LIGHTS : EFFECT_POINT_LIGHTS;
 }
 
-bool shines(const Light& light, const WorldBox& box) {
-  if (is_zero(light.intensity)) return false;
-  return light.kind == LightKind::directional || (light.range != 0.0 && light_reaches(light, box));
+// Why a light does not shine on anything; empty where it may.
+std::string why_dark(const Light& light, const WorldBox& box) {
+  if (is_zero(light.intensity)) return "its intensity is 0";
+  if (light.kind == LightKind::directional || (light.range != 0.0 && light_reaches(light, box))) return "";
+  std::ostringstream text;
+  text << "its range of " << light.range << " m ends before every triangle";
+  return text.str();
 }
 
-void detect_lights(EffectSet& effects, const Scene& scene, const std::vector<SeenMaterial>& seen) {
+void detect_lights(EffectSet& effects, const Scene& scene, const std::vector<SeenMaterial>& seen, const WorldBox& box,
+                   bool every_light_shines) {
   const SeenMaterial* lit = nullptr;
   const SeenMaterial* glossy = nullptr;
   for (const SeenMaterial& one : seen) {
     lit = !lit && (one.terms.diffuse || one.terms.specular) ? &one : lit;
     glossy = !glossy && one.terms.specular ? &one : glossy;
   }
-  const WorldBox box = lit ? world_box(scene) : WorldBox{};
   for (std::size_t index = 0; lit && index < scene.lights.size(); ++index) {
     const Light& light = scene.lights[index];
-    if (!shines(light, box)) {
+    const std::string dark = why_dark(light, box);
+    if (!dark.empty() && !every_light_shines) {
       continue;
     }
-    const std::string falls_on = label_of("light", index, light.name) + " falls on ";
-    switch_on(effects, kind_bit(light.kind), falls_on + lit->label);
-    switch_on(effects, EFFECT_SHADOWS, falls_on + lit->label);
+    const std::string name = label_of("light", index, light.name);
+    const auto falls_on = [&](const SeenMaterial& one) {
+      return dark.empty() ? name + " falls on " + one.label : name + ": " + dark;
+    };
+    switch_on(effects, kind_bit(light.kind), falls_on(*lit));
+    switch_on(effects, EFFECT_SHADOWS, falls_on(*lit));
     if (glossy) {
-      switch_on(effects, EFFECT_SPECULAR, falls_on + glossy->label);
+      switch_on(effects, EFFECT_SPECULAR, falls_on(*glossy));
     }
   }
 }
@@ -135,10 +102,10 @@ void detect_coverage(EffectSet& effects, const SeenMaterial& seen) {
   }
 }
 
-void detect_bounces(EffectSet& effects, const SeenMaterial& seen, int max_bounces) {
+void detect_bounces(EffectSet& effects, const SeenMaterial& seen, const Supposition& supposed) {
   const MaterialTerms& terms = seen.terms;
-  const bool followed = max_bounces > 0 && !seen.material.unlit;
-  if (terms.mirror && followed) {
+  const bool followed = supposed.max_bounces > 0 && !seen.material.unlit;
+  if (terms.mirror && followed && !(seen.mirror_weight < supposed.cutoff)) {
     switch_on(effects, EFFECT_REFLECTION,
               seen.label + (terms.transmission ? ": reflects at its interface" : ": mirrors"));
   }
@@ -165,8 +132,10 @@ void detect_textures(EffectSet& effects, const Scene& scene, const SeenMaterial&
     const bool unseen = slot.slot == TEXTURE_SLOT_OCCLUSION && !(effects.bits & EFFECT_AMBIENT);
     if ((seen.texture_slots & 1u << slot.slot) && !unseen) {
       const auto index = static_cast<std::size_t>(seen.material.textures[slot.slot].texture);
+      const bool almost_flat = slot.slot == TEXTURE_SLOT_NORMAL && seen.bend == NormalMapBend::alike;
       switch_on(effects, slot.bit,
-                seen.label + ": " + slot.what + " " + label_of("texture", index, scene.textures[index].name));
+                seen.label + ": " + slot.what + " " + label_of("texture", index, scene.textures[index].name) +
+                    (almost_flat ? ", the same all over, but not exactly flat" : ""));
       detect_texture_format(effects, scene, seen.material.textures[slot.slot].texture);
     }
   }
@@ -220,25 +189,64 @@ void detect_view(EffectSet& effects, const Scene& scene, const Camera& camera) {
   }
 }
 
-}  // namespace
-
-EffectSet detect_effects(const Scene& scene, const Camera& camera, int max_bounces) {
+EffectSet detect_under(const Scene& scene, const Camera& camera, const SceneFacts& facts, const Supposition& supposed) {
   EffectSet effects = no_effects();
-  const std::vector<SeenMaterial> seen = seen_materials(scene);
+  const std::vector<SeenMaterial> seen = seen_materials(scene, facts, supposed);
   detect_view(effects, scene, camera);
-  detect_lights(effects, scene, seen);
+  detect_lights(effects, scene, seen, facts.box, supposed.every_light_shines);
   detect_ambient(effects, scene.environment, seen);
   for (const SeenMaterial& one : seen) {
     detect_surface(effects, one);
     detect_coverage(effects, one);
-    detect_bounces(effects, one, max_bounces);
+    detect_bounces(effects, one, supposed);
     detect_textures(effects, scene, one);
   }
   for (const EffectNeed& need : effect_needs()) {
-    if (effects.bits & need.effect) {
-      switch_on(effects, need.needed, std::string("needed by ") + effect_name(need.effect));
-    }
+    if (effects.bits & need.effect) switch_on(effects, need.needed, need_reason(need));
   }
+  return effects;
+}
+
+// An effect that is off and would be on if `supposed` held is off because it does not: `but` says what holds instead.
+void explain_absence(EffectSet& effects, const EffectSet& supposed, const char* but) {
+  for (std::size_t index = 0; index < effects.reasons.size(); ++index) {
+    EffectReason& verdict = effects.reasons[index];
+    const bool is_usual = verdict.reason == effect_names()[index].why_off;
+    if (!verdict.on && is_usual && supposed.reasons[index].on) verdict.reason = supposed.reasons[index].reason + but;
+  }
+}
+
+void explain_flat_normals(EffectSet& effects, const Scene& scene) {
+  EffectReason& smooth = effects.reasons[std::countr_zero(EFFECT_SMOOTH_NORMALS)];
+  for (std::size_t index = 0; !smooth.on && index < scene.meshes.size(); ++index) {
+    if (!scene.meshes[index].flat_normals) continue;
+    smooth.reason =
+        label_of("mesh", index, scene.meshes[index].name) + ": its vertex normals are those of its triangles";
+    return;
+  }
+}
+
+}  // namespace
+
+EffectSet detect_effects(const Scene& scene, const Camera& camera, int max_bounces, double cutoff) {
+  const SceneFacts facts = scene_facts(scene);
+  const Supposition actual{.max_bounces = max_bounces, .cutoff = cutoff};
+  EffectSet effects = detect_under(scene, camera, facts, actual);
+  const auto unless = [&](auto change, const char* but) {
+    Supposition supposed = actual;
+    change(supposed);
+    explain_absence(effects, detect_under(scene, camera, facts, supposed), but);
+  };
+  unless([](Supposition& s) { s.max_bounces = 1; }, "; but no bounces are allowed");
+  unless([](Supposition& s) { s.ior_differs = true; }, "; but its ior is that of what is around it");
+  unless([](Supposition& s) { s.cutoff = 0.0; }, "; but always weaker than the cutoff");
+  unless([](Supposition& s) { s.texels_vary = true; }, "; but its texels leave nothing of it");
+  unless([](Supposition& s) { s.every_light_shines = true; }, "");
+  unless([](Supposition& s) { s.every_material_used = true; }, "; but no triangle uses it");
+  explain_flat_normals(effects, scene);
+  const std::vector<SeenMaterial> seen = seen_materials(scene, facts, actual);
+  effects.depth = needed_depth(effects.bits, seen, static_cast<std::uint32_t>(max_bounces), cutoff);
+  effects.fixed = fixed_effects(scene, effects, seen);
   return effects;
 }
 

@@ -11,12 +11,12 @@ constexpr const char* kNoLight = "no light of this kind falls on a material that
 
 constexpr std::array<EffectName, EFFECT_COUNT> kNames = {{
     {EFFECT_SHADOWS, "shadows", "no light falls on a material that answers to light"},
-    {EFFECT_TINTED_SHADOWS, "tinted_shadows", "no shadows, or no used material lets light through"},
-    {EFFECT_REFLECTION, "reflection", "no used material mirrors, or no bounces are allowed"},
-    {EFFECT_REFRACTION, "refraction", "no used material is transmissive, or no bounces are allowed"},
-    {EFFECT_ABSORPTION, "absorption", "no used transmissive volume absorbs"},
-    {EFFECT_ALPHA_MASK, "alpha_mask", "no used material in mode mask can fall below its cutoff"},
-    {EFFECT_ALPHA_BLEND, "alpha_blend", "no used material in mode blend can fall below opacity 1"},
+    {EFFECT_TINTED_SHADOWS, "tinted_shadows", "no shadow rays, or no visible triangle lets light through"},
+    {EFFECT_REFLECTION, "reflection", "no visible triangle mirrors"},
+    {EFFECT_REFRACTION, "refraction", "transmission 0 on all visible triangles"},
+    {EFFECT_ABSORPTION, "absorption", "no visible transmissive volume absorbs"},
+    {EFFECT_ALPHA_MASK, "alpha_mask", "no alpha of a visible triangle in mode mask can fall below its cutoff"},
+    {EFFECT_ALPHA_BLEND, "alpha_blend", "opacity 1 on all visible triangles in mode blend"},
     {EFFECT_SMOOTH_NORMALS, "smooth_normals", "no triangle has a normal at all three corners"},
     {EFFECT_VERTEX_COLORS, "vertex_colors", "no used triangle has vertex colours that scale anything"},
     {EFFECT_BASE_COLOR_TEXTURE, "base_color_texture", "no used material has a base colour texture that counts"},
@@ -30,7 +30,7 @@ constexpr std::array<EffectName, EFFECT_COUNT> kNames = {{
     {EFFECT_DIRECTIONAL_LIGHTS, "directional_lights", kNoLight},
     {EFFECT_SPECULAR, "specular", "no light falls on a material with a highlight"},
     {EFFECT_AMBIENT, "ambient", "the ambient source is black, or no used material answers to it"},
-    {EFFECT_EMISSION, "emission", "no used material emits"},
+    {EFFECT_EMISSION, "emission", "emission 0 on all visible triangles"},
     {EFFECT_UNLIT, "unlit", "no used material is unlit"},
     {EFFECT_ENVIRONMENT_MAP, "environment_map", "the environment has no image"},
     {EFFECT_ORTHOGRAPHIC, "orthographic", "the camera is perspective"},
@@ -38,11 +38,11 @@ constexpr std::array<EffectName, EFFECT_COUNT> kNames = {{
 }};
 
 constexpr std::array<EffectNeed, 5> kNeeds = {{
-    {EFFECT_TINTED_SHADOWS, EFFECT_SHADOWS},
-    {EFFECT_ABSORPTION, EFFECT_REFRACTION},
-    {EFFECT_SPOT_LIGHTS, EFFECT_POINT_LIGHTS},
-    {EFFECT_OCCLUSION_TEXTURE, EFFECT_AMBIENT},
-    {EFFECT_EMISSION_TEXTURE, EFFECT_EMISSION},
+    {EFFECT_TINTED_SHADOWS, EFFECT_SHADOWS, "what tints a shadow is met by shadow rays"},
+    {EFFECT_ABSORPTION, EFFECT_REFRACTION, "rays are absorbed in the media that refraction takes them into"},
+    {EFFECT_SPOT_LIGHTS, EFFECT_POINT_LIGHTS, "a spot light is a point light with a cone"},
+    {EFFECT_OCCLUSION_TEXTURE, EFFECT_AMBIENT, "occlusion dims ambient light"},
+    {EFFECT_EMISSION_TEXTURE, EFFECT_EMISSION, "its texels scale the emission"},
 }};
 
 std::size_t index_of(std::uint32_t bit) {
@@ -71,6 +71,10 @@ std::span<const EffectName> effect_names() {
 
 std::span<const EffectNeed> effect_needs() {
   return kNeeds;
+}
+
+std::string need_reason(const EffectNeed& need) {
+  return std::string("needed by ") + effect_name(need.effect) + ": " + need.why;
 }
 
 const char* effect_name(std::uint32_t bit) {

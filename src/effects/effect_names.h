@@ -15,10 +15,11 @@ struct EffectName {
   const char* why_off;
 };
 
-/// `effect` does nothing without `needed`.
+/// `effect` does nothing without `needed`, because of `why`.
 struct EffectNeed {
   std::uint32_t effect;
   std::uint32_t needed;
+  const char* why;
 };
 
 /// All EFFECT_COUNT effects in bit order. A name is the lower case of its macro without EFFECT_.
@@ -26,6 +27,9 @@ std::span<const EffectName> effect_names();
 
 /// The pairs of effects of which one needs the other. No chains: what is needed needs nothing itself.
 std::span<const EffectNeed> effect_needs();
+
+/// `needed by tinted_shadows: ...`: why an effect is on that nothing else asks for.
+std::string need_reason(const EffectNeed& need);
 
 /// The name of the one bit that is set in `bit`. Throws std::out_of_range for any other value.
 const char* effect_name(std::uint32_t bit);

@@ -17,10 +17,19 @@ struct EffectReason {
   std::string reason;
 };
 
+/// How many reflections and refractions in a row a picture can show, of those that are allowed, and what says so.
+struct DepthNeed {
+  std::uint32_t bounces = 0;
+  std::uint32_t allowed = 0;
+  std::string reason;
+};
+
 /// Effects a render runs: `bits` is an OR of EFFECT_*; `reasons` has all EFFECT_COUNT effects in bit order.
 struct EffectSet {
   std::uint32_t bits = 0;
   std::vector<EffectReason> reasons;
+  std::vector<EffectReason> fixed;  ///< what is asked for but has no bit (0), because leaving it out would save nothing
+  DepthNeed depth;
 };
 
 }  // namespace vernier

@@ -1,11 +1,17 @@
 #include "effects/material_terms.h"
 
+#include <algorithm>
+
 namespace vernier {
 namespace {
 
 // NaN is unequal to everything, so it counts as "can be other than zero" throughout.
 bool differs(const glm::vec3& value, float from) {
   return value.x != from || value.y != from || value.z != from;
+}
+
+float largest(const glm::vec3& value) {
+  return std::max({value.x, value.y, value.z});
 }
 
 bool textured(const Material& material, int slot) {
@@ -20,9 +26,19 @@ struct PhysicalTerms {
   bool gloss_below_1 = false;  // gloss can be below 1
   bool diffuse = false;
   bool transmission = false;
+  bool always_transmissive = false;  // at every hit
 };
 
-PhysicalTerms metallic_roughness_terms(const Material& material, bool base) {
+// Transmission is a product of the base colour and factors that no texel and no vertex colour can make 0.
+bool transmissive_everywhere(const Material& material, bool vertex_colors) {
+  const bool textures = textured(material, TEXTURE_SLOT_BASE_COLOR) || textured(material, TEXTURE_SLOT_SURFACE) ||
+                        textured(material, TEXTURE_SLOT_TRANSMISSION);
+  constexpr float kNoUnderflow = 1e-30f;
+  return !vertex_colors && !textures && material.metallic == 0.0f &&
+         largest(glm::vec3(material.base_color)) * material.transmission.x >= kNoUnderflow;
+}
+
+PhysicalTerms metallic_roughness_terms(const Material& material, bool base, bool vertex_colors) {
   const bool surface = textured(material, TEXTURE_SLOT_SURFACE);
   const bool metal = material.metallic != 0.0f;
   const bool dielectric = material.metallic != 1.0f || surface;
@@ -37,6 +53,7 @@ PhysicalTerms metallic_roughness_terms(const Material& material, bool base) {
   terms.gloss_below_1 = material.roughness != 0.0f;
   terms.diffuse = base && dielectric && not_only_transmissive;
   terms.transmission = base && dielectric && transmissive;
+  terms.always_transmissive = terms.transmission && transmissive_everywhere(material, vertex_colors);
   return terms;
 }
 
@@ -50,11 +67,17 @@ PhysicalTerms specular_glossiness_terms(const Material& material, bool base) {
   return terms;
 }
 
-void add_physical(MaterialTerms& terms, const PhysicalTerms& physical) {
+// Whether a transmissive surface reflects by Fresnel's terms: not where nothing is refracted (shaders/fresnel.glsl).
+bool has_boundary(const Material& material) {
+  return material.ior != 1.0f;
+}
+
+void add_physical(MaterialTerms& terms, const PhysicalTerms& physical, const Material& material) {
   terms.diffuse = physical.diffuse;
   terms.specular = physical.f0;
   terms.ambient = physical.diffuse || (physical.f0 && physical.gloss_below_1);
-  terms.mirror = (physical.gloss && (physical.f0 || physical.f90)) || physical.transmission;
+  const bool opaque_mirror = physical.gloss && (physical.f0 || physical.f90) && !physical.always_transmissive;
+  terms.mirror = opaque_mirror || (physical.transmission && has_boundary(material));
   terms.transmission = physical.transmission;
 }
 
@@ -63,7 +86,9 @@ void add_blinn(MaterialTerms& terms, const Material& material) {
   terms.specular = differs(material.specular, 0.0f);
   terms.ambient = differs(material.ambient, 0.0f);
   terms.transmission = differs(material.transmission, 0.0f);
-  terms.mirror = differs(material.reflection, 0.0f) || material.fresnel_reflection || terms.transmission;
+  const bool transmissive_mirror = terms.transmission && has_boundary(material);
+  const bool opaque_mirror = material.fresnel_reflection && !(largest(material.transmission) > 0.0f);
+  terms.mirror = differs(material.reflection, 0.0f) || opaque_mirror || transmissive_mirror;
 }
 
 bool alpha_is_textured(const Material& material) {
@@ -121,9 +146,9 @@ MaterialTerms material_terms(const Material& material, const MaterialUsage& usag
   if (material.workflow == Workflow::blinn) {
     add_blinn(terms, material);
   } else if (material.workflow == Workflow::specular_glossiness) {
-    add_physical(terms, specular_glossiness_terms(material, terms.base));
+    add_physical(terms, specular_glossiness_terms(material, terms.base), material);
   } else {
-    add_physical(terms, metallic_roughness_terms(material, terms.base));
+    add_physical(terms, metallic_roughness_terms(material, terms.base, usage.vertex_colors), material);
   }
   terms.absorption = terms.transmission && !material.thin_walled && differs(material.absorption, 0.0f);
   terms.emission = differs(material.emission, 0.0f);

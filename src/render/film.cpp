@@ -62,6 +62,11 @@ void Film::write_sums(const Device& device, std::span<const std::uint32_t> words
   }
 }
 
+std::uint64_t Film::aov_bytes(const PixelRect& area) {
+  return std::uint64_t{AOV_WORDS} * sizeof(std::uint32_t) * static_cast<std::uint64_t>(area.width) *
+         static_cast<std::uint64_t>(area.height);
+}
+
 std::vector<std::uint32_t> Film::read_aovs(const Device& device) const {
   return read_bands(device, bands_, static_cast<std::size_t>(area_.width) * AOV_WORDS, area_.height, &Band::aovs);
 }

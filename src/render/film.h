@@ -34,6 +34,8 @@ class Film {
   /// Device memory in all.
   std::uint64_t size_bytes() const;
 
+  /// What room for the AOVs of `area` takes.
+  static std::uint64_t aov_bytes(const PixelRect& area);
   /// Words per pixel [height][width][FILM_WORDS] of the sums. Waits for the device.
   std::vector<std::uint32_t> read_sums(const Device& device) const;
   /// Replaces the sums by `words`, as many as read_sums gives; waits. Throws std::logic_error for another number.

@@ -155,20 +155,22 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   check_settings(settings);
   const PixelRect area = image_area(settings);
   RenderStatistics statistics;
-  statistics.effects =
-      choose_effects(detect_effects(scene, camera, static_cast<int>(settings.max_bounces)), settings.effects);
+  statistics.effects = plan_effects(scene, camera, settings.max_bounces, settings.cutoff, settings.effects);
+  const std::uint32_t bounces = statistics.effects.depth.bounces;
 
   PackedScene packed = pack_scene(scene, 0);
   describe_scene(scene, packed, statistics);
   describe_left_out(scene, packed, statistics);
   set_camera(packed, camera, settings);
-  set_settings(packed, settings);
+  RenderSettings needed = settings;
+  needed.max_bounces = bounces;
+  set_settings(packed, needed);
 
   const SceneLoads loads = choose_scene_loads(device.description());
   GpuScene gpu_scene = upload_scene(device, packed, loads, statistics);
   gpu_scene.set_constants(device, packed.constants, packed.steering);
-  TraceSpecialization specialization = specialize(statistics.effects.bits, packed.bvh.depth, settings.max_bounces,
-                                                  wants(settings, "cost"), device.description());
+  TraceSpecialization specialization =
+      specialize(statistics.effects.bits, packed.bvh.depth, bounces, wants(settings, "cost"), device.description());
   specialization.levels = settings.spot_levels.value_or(levels_of(settings.accuracy));
   specialization.mutation = settings.mutation;
   specialization.count_effects = settings.count_effects;
@@ -181,7 +183,7 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   if (wants_geometry(settings)) {
     statistics.pipelines = {trace_aovs(device, gpu_scene, loads, specialization, film)};
   } else {
-    statistics.saved.aov_bytes = std::uint64_t{AOV_WORDS} * 4 * static_cast<std::uint64_t>(area.width) * area.height;
+    statistics.saved.aov_bytes = Film::aov_bytes(area);
   }
   RenderSettings scheduled = settings;
   if (callbacks.resumed) {

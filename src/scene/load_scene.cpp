@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "error.h"
+#include "scene/flat_normals.h"
 #include "scene/validate_scene.h"
 
 namespace vernier {
@@ -29,6 +30,7 @@ Scene load_by_extension(const std::string& path, const LoadOptions& options) {
 Scene load_scene(const std::string& path, const LoadOptions& options) {
   Scene scene = load_by_extension(path, options);
   validate_scene(scene);
+  drop_flat_normals(scene);
   return scene;
 }
 

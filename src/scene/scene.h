@@ -21,6 +21,7 @@ struct Mesh {
   std::string name;
   std::vector<glm::vec3> positions;  ///< metres, object space
   std::vector<glm::vec3> normals;    ///< unit; (0, 0, 0): the triangle's own normal (flat)
+  bool flat_normals = false;         ///< `normals` is empty because the file's were those of the triangles
   std::vector<glm::vec4> tangents;   ///< xyz unit, w = +-1 handedness; (0, 0, 0, 0): from the UV gradient
   std::vector<glm::vec4> colors;     ///< linear Rec.709 and opacity, multiplies base_color
   std::array<std::vector<glm::vec2>, kUvSetCount> uvs;

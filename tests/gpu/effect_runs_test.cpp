@@ -2,6 +2,7 @@
 #include <bit>
 
 #include "device_test.h"
+#include "every_effect.h"
 #include "render/render_image.h"
 #include "scene/load_scene.h"
 #include "shader/tiny_scene.h"
@@ -56,6 +57,7 @@ TEST_F(EffectRunsTest, without_the_counters_nothing_is_counted) {
 TEST_F(EffectRunsTest, what_is_off_never_runs_and_what_is_on_does) {
   expect_runs_as_chosen(counted(scene_, camera_, settings_));
   expect_runs_as_chosen(counted(plain_scene(), camera_, settings_));
+  expect_runs_as_chosen(counted(test::every_effect_scene(), test::orthographic_camera(), settings_));
 }
 
 TEST_F(EffectRunsTest, each_effect_that_is_switched_off_stops_running) {

@@ -107,5 +107,49 @@ TEST(DetectEffects, ReasonNamesMaterialLightAndTexture) {
   EXPECT_EQ(reason_for(effects, EFFECT_BASE_COLOR_TEXTURE), "material 0 (paint): base colour texture 0 (checker)");
 }
 
+std::string reason_without(const Scene& scene, std::uint32_t bit, int max_bounces = 8) {
+  return reason_for(detect_effects(scene, Camera{}, max_bounces), bit);
+}
+
+TEST(ReasonForOff, NamesTheLightThatDoesNotShine) {
+  Scene scene = white_triangle();
+  scene.lights = {light_of(LightKind::point)};
+  scene.lights[0].intensity = glm::vec3(0.0f);
+  EXPECT_EQ(reason_without(scene, EFFECT_POINT_LIGHTS), "light 0 (lamp): its intensity is 0");
+  scene.lights[0].intensity = glm::vec3(1.0f);
+  scene.lights[0].position = glm::dvec3(0, 0, 8);
+  scene.lights[0].range = 2.5;
+  EXPECT_EQ(reason_without(scene, EFFECT_SHADOWS), "light 0 (lamp): its range of 2.5 m ends before every triangle");
+}
+
+TEST(ReasonForOff, NamesTheMaterialThatNoTriangleUses) {
+  Scene scene = white_triangle();
+  Material glass = scene.materials[0];
+  glass.name = "glass";
+  glass.transmission = glm::vec3(0.5f);
+  scene.materials.push_back(glass);
+  EXPECT_EQ(reason_without(scene, EFFECT_REFRACTION),
+            "material 1 (glass): transmission 0.5, 0.5, 0.5; but no triangle uses it");
+}
+
+TEST(ReasonForOff, NamesTheMaterialThatBouncesWouldShow) {
+  Scene scene = white_triangle();
+  scene.materials[0].transmission = glm::vec3(0.5f);
+  EXPECT_EQ(reason_without(scene, EFFECT_REFRACTION, 0),
+            "material 0 (paint): transmission 0.5, 0.5, 0.5; but no bounces are allowed");
+}
+
+TEST(ReasonForOff, NamesTheTextureThatSaysNothing) {
+  Scene scene = white_triangle();
+  add_texture(scene, TEXTURE_SLOT_BASE_COLOR);
+  scene.textures[0].texels = std::make_shared<Texels>(Texels{TEXTURE_FORMAT_SRGB8, 1, 1, {~0u}});
+  EXPECT_EQ(reason_without(scene, EFFECT_BASE_COLOR_TEXTURE),
+            "material 0 (paint): base colour texture 0 (checker); but its texels leave nothing of it");
+}
+
+TEST(ReasonForOff, IsOfEverythingWhereNothingInTheFileAsks) {
+  EXPECT_EQ(reason_without(white_triangle(), EFFECT_REFRACTION), "transmission 0 on all visible triangles");
+}
+
 }  // namespace
 }  // namespace vernier

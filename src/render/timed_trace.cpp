@@ -1,0 +1,74 @@
+#include "render/timed_trace.h"
+
+#include <algorithm>
+
+namespace vernier {
+namespace {
+
+PackedScene packed_scene(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
+  PackedScene packed = pack_scene(scene, 0);
+  set_camera(packed, camera, settings);
+  set_settings(packed, settings);
+  return packed;
+}
+
+RayCounts difference(const RayCounts& after, const RayCounts& before) {
+  return {.primary = after.primary - before.primary,
+          .shadow = after.shadow - before.shadow,
+          .reflection = after.reflection - before.reflection,
+          .refraction = after.refraction - before.refraction};
+}
+
+}  // namespace
+
+StagedScene::StagedScene(const Device& device, const Scene& scene, const Camera& camera, const RenderSettings& settings)
+    : device_(device),
+      settings_(settings),
+      loads_(choose_scene_loads(device.description())),
+      packed_(packed_scene(scene, camera, settings)),
+      gpu_scene_(device, packed_, loads_) {
+  gpu_scene_.set_constants(device, packed_.constants, packed_.steering);
+}
+
+TraceSpecialization StagedScene::specialization(std::uint32_t effects) const {
+  TraceSpecialization values =
+      specialize(effects, packed_.bvh.depth, settings_.max_bounces, false, device_.description());
+  values.levels = levels_of(settings_.accuracy);
+  return values;
+}
+
+void StagedScene::set_max_bounces(std::uint32_t max_bounces) {
+  RenderSettings settings = settings_;
+  settings.max_bounces = max_bounces;
+  set_settings(packed_, settings);
+  gpu_scene_.set_constants(device_, packed_.constants, packed_.steering);
+}
+
+TimedTrace::TimedTrace(const StagedScene& scene, const TraceSpecialization& specialization,
+                       const RenderSettings& settings)
+    : device_(scene.device()),
+      film_(scene.device(), {0, 0, settings.width, settings.height}, false),
+      tracer_(scene.device(), scene.gpu_scene(), scene.loads(), specialization, settings, film_) {}
+
+TraceTime TimedTrace::trace() {
+  const TraceStatistics after = tracer_.trace({});
+  TraceTime time{after.device_ms - before_.device_ms, difference(after.rays, before_.rays), after.saved};
+  time.saved.aov_bytes = Film::aov_bytes(film_.area());
+  before_ = {after.device_ms, after.rays, {}};
+  return time;
+}
+
+Image TimedTrace::picture() const {
+  const PixelRect& area = film_.area();
+  return {.width = area.width,
+          .height = area.height,
+          .channel_count = 4,
+          .values = develop(film_.read_sums(device_), area).color};
+}
+
+RatioSpread spread_of(std::vector<double> ratios) {
+  std::sort(ratios.begin(), ratios.end());
+  return {.median = ratios[ratios.size() / 2], .least = ratios.front(), .most = ratios.back()};
+}
+
+}  // namespace vernier

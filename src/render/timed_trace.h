@@ -1,0 +1,72 @@
+#pragma once
+
+#include <cstdint>
+
+#include "image/image.h"
+#include "render/film.h"
+#include "render/gpu_scene.h"
+#include "render/pack_scene.h"
+#include "render/trace_film.h"
+#include "render/trace_pipeline.h"
+
+namespace vernier {
+
+/// A scene on a device, to be traced in several ways.
+class StagedScene {
+ public:
+  /// Packs and uploads `scene`, which has passed validate_scene, seen through `camera`; `device` outlives it.
+  StagedScene(const Device& device, const Scene& scene, const Camera& camera, const RenderSettings& settings);
+
+  const Device& device() const { return device_; }
+  const GpuScene& gpu_scene() const { return gpu_scene_; }
+  SceneLoads loads() const { return loads_; }
+  /// What the kernels are specialized to for `effects` at the settings' accuracy.
+  TraceSpecialization specialization(std::uint32_t effects) const;
+  /// Traces begun from now on go `max_bounces` deep, at most as deep as the settings said at the start.
+  void set_max_bounces(std::uint32_t max_bounces);
+
+ private:
+  const Device& device_;
+  RenderSettings settings_;
+  SceneLoads loads_;
+  PackedScene packed_;
+  GpuScene gpu_scene_;
+};
+
+/// What one trace took.
+struct TraceTime {
+  double device_ms = 0.0;
+  RayCounts rays;
+  SavedMemory saved;  ///< of all its buffers, against a pipeline with every effect, all AOVs and the cost
+};
+
+/// A pipeline of its own and a film, timed again and again. What it is compared with should be traced right before:
+/// a busy machine slows both.
+class TimedTrace {
+ public:
+  /// Compiles for `specialization` before the clock starts. `scene` outlives it.
+  TimedTrace(const StagedScene& scene, const TraceSpecialization& specialization, const RenderSettings& settings);
+
+  /// Traces all samples of the settings once more.
+  TraceTime trace();
+  /// The picture so far, R G B A. Repeated traces of the same samples leave it as it is.
+  Image picture() const;
+
+ private:
+  const Device& device_;
+  Film film_;
+  FilmTracer tracer_;
+  TraceTime before_;
+};
+
+/// Median, least and most of some ratios of times.
+struct RatioSpread {
+  double median = 1.0;
+  double least = 1.0;
+  double most = 1.0;
+};
+
+/// The spread of `ratios`; at least one.
+RatioSpread spread_of(std::vector<double> ratios);
+
+}  // namespace vernier
