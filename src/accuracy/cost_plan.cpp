@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <set>
 
 #include "shared/accuracy.h"
 
@@ -28,10 +29,11 @@ CostPoint point_of(const std::string& axis, const std::string& label, const Rend
 }
 
 void add_samples(const CostPlanInput& input, std::vector<CostPoint>& points) {
+  std::set<std::uint32_t> counts{1, input.settings.spp};
+  // Two samples tell little that four do not; the pixel centre alone is what previews take.
+  for (std::uint32_t spp = 4; spp <= input.most_spp; spp *= 2) counts.insert(spp);
   RenderSettings settings = input.settings;
-  for (std::uint32_t spp = 1; spp <= input.most_spp; spp *= 2) {
-    // Two samples tell little that four do not; the pixel centre alone is what previews take.
-    if (spp == 2) continue;
+  for (const std::uint32_t spp : counts) {
     set_spp(settings, spp);
     points.push_back(point_of("spp", std::to_string(spp) + " spp", settings, "spp", ""));
   }
@@ -66,7 +68,7 @@ void add_targets(const CostPlanInput& input, std::vector<CostPoint>& points) {
     RenderSettings settings = input.settings;
     set_spp(settings, 65536);  // the most of a pixel that render takes with --error-target
     settings.error_target = std::stod(text);
-    points.push_back(point_of("adaptive", "target " + text, settings, "error-target", text));
+    points.push_back(point_of("adaptive", "error target " + text, settings, "error-target", text));
   }
 }
 

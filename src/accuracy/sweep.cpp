@@ -60,10 +60,9 @@ class Bench {
 
   TraceSpecialization specialization(const RenderSettings& settings) const {
     TraceSpecialization values = staged_.specialization(choose_effects(effects_, settings.effects).bits);
-    const bool has_stack = values.path_stack > 0;
     // One pipeline for all numbers of bounces: the deepest's room for waiting rays.
     const std::uint32_t deepest = std::max(settings.max_bounces, setup_.settings.max_bounces);
-    if (has_stack) values.path_stack = waiting_rays(values.effects, deepest);
+    values.path_stack = waiting_rays(values.effects, deepest);
     values.levels = settings.spot_levels.value_or(levels_of(settings.accuracy));
     values.listed_pixels = settings.error_target.has_value();
     return values;

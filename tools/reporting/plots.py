@@ -7,12 +7,13 @@ import matplotlib
 
 matplotlib.use("svg")
 from matplotlib import pyplot  # noqa: E402
-from matplotlib.ticker import FuncFormatter, NullFormatter  # noqa: E402
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
 
 from reporting import figures  # noqa: E402
 
-# Colours that differ for readers who see few (Okabe and Ito 2008), each with a mark of its own.
-SERIES = {"spp": ("samples per pixel", "#0072b2", "o"), "adaptive": ("error target", "#d55e00", "D"),
+# Colours that differ for readers who see few (after Okabe and Ito 2008; the blue lighter, for dark pages), each with a
+# mark of its own.
+SERIES = {"spp": ("samples per pixel", "#1f86d0", "o"), "adaptive": ("error target", "#d55e00", "D"),
           "level": ("numeric level", "#009e73", "s"), "bounces": ("bounces", "#cc79a7", "^"),
           "cutoff": ("cut-off", "#e69f00", "v"), "effects": ("an effect left out", "#56b4e9", "x")}
 INK = "#123456"  # stands for the colour of the page's text, put in at the end
@@ -42,9 +43,11 @@ def error_against_time(cost: dict, narrow: bool) -> str:
     for side in ("top", "right"):
         axes.spines[side].set_visible(False)
     for one in (axes.xaxis, axes.yaxis):
+        one.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
         one.set_major_formatter(FuncFormatter(_short))
         one.set_minor_formatter(NullFormatter())
-    figure.legend(loc="outside lower center", ncols=2 if narrow else 4, frameon=False, fontsize=8)
+    axes.legend(loc="lower left", bbox_to_anchor=(-0.2 if narrow else 0.0, 1.0), ncols=2 if narrow else 4, frameon=False,
+                fontsize=7.5 if narrow else 8, columnspacing=1.0, handlelength=1.5)
     return _svg_text(figure)
 
 
@@ -78,7 +81,7 @@ def _draw_floors(axes, cost: dict) -> None:
             _, color, _ = SERIES[point["axis"]]
             axes.hlines(point["bias_floor"], figures.time_of(point), ends[1], color=color, linewidth=0.8,
                         linestyle=(0, (1, 1.5)))
-            axes.annotate("never below: " + point["name"], (ends[1], point["bias_floor"]), ha="right", va="bottom", fontsize=6.5,
+            axes.annotate("floor: " + point["name"], (ends[1], point["bias_floor"]), ha="right", va="bottom", fontsize=6.5,
                           color=color)
     axes.set_xlim(ends)
 
