@@ -6,6 +6,7 @@
 
 #include "accuracy/error_figures.h"
 #include "image/difference.h"
+#include "render/timed_trace.h"
 
 namespace vernier {
 namespace {

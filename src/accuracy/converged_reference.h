@@ -5,9 +5,12 @@
 #include <string>
 
 #include "image/image.h"
-#include "render/timed_trace.h"
+#include "render/render_settings.h"
 
 namespace vernier {
+
+class StagedScene;
+class TimedTrace;
 
 /// What the points of a sweep are held against.
 struct ConvergedReference {

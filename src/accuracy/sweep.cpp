@@ -9,6 +9,7 @@
 
 #include "effects/detect_effects.h"
 #include "error.h"
+#include "render/timed_trace.h"
 
 namespace vernier {
 namespace {
