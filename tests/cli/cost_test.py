@@ -68,11 +68,11 @@ class CostTest(ProgramTest):
 
     def check_claims(self, cost):
         """Each recommended command, pasted, reaches its error on seeds that the sweep did not have."""
-        self.check_done("render", SCENE, "-o", "truth.exr", *VIEW, "--spp", 4096, "--max-bounces", 16, "--cutoff",
+        self.check_done("render", SCENE, "-o", "truth.exr", *VIEW, "--spp", 1024, "--max-bounces", 16, "--cutoff",
                         "1/16384", "--accuracy", "exact", "--seed", 3000000000)
         held = tried = 0
         for one in cost["recommendations"]:
-            for seed in (500, 501, 502):
+            for seed in (500, 501):
                 words = shlex.split(one["command"])
                 self.assertEqual(words[0], "vernier")
                 self.check_done(*words[1:], "--seed", seed)
@@ -80,7 +80,7 @@ class CostTest(ProgramTest):
                 error = math.sqrt(json.loads((self.folder / "diff.json").read_text())["rel_mse"])
                 held += error <= one["error"]
                 tried += 1
-        # A claim holds for 97.5 % of seeds: of so few trials one may fail; two of up to 30 would in 1 of 6 such tests,
+        # A claim holds for 97.5 % of seeds: of so few trials one may fail; two of up to 20 would in 1 of 11 such tests,
         # but the seeds are fixed, so this is no dice.
         self.assertGreaterEqual(held, tried - 1)
 

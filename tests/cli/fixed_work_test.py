@@ -15,7 +15,7 @@ from program import SCENES, ProgramTest
 RECORD = SCENES.parent / "tests/golden/fixed_work.json"
 VIEW = ["--size", "48x36"]
 WORK = ["--spp", 16, "--max-bounces", 8, "--accuracy", "robust"]
-TRUTH = ["--spp", 2048, "--max-bounces", 16, "--cutoff", "1/16384", "--accuracy", "exact", "--seed", 4000000000]
+TRUTH = ["--spp", 1024, "--max-bounces", 16, "--cutoff", "1/16384", "--accuracy", "exact", "--seed", 4000000000]
 SEEDS = range(4)
 SLOWER = 3.0  # machines differ by as much; a warning is all that comes of it
 
