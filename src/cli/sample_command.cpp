@@ -50,6 +50,7 @@ std::string short_render_command(const SceneArguments& scene, const RenderArgume
   for (const auto& [name, value] : all.items()) {
     if (!defaults.contains(name) || defaults[name] != value) options[name] = value;
   }
+  if (render.spp.empty()) options.erase("spp");
   return command_of(scene.scene, output, options);
 }
 
