@@ -25,7 +25,8 @@ ErrorFigures error_figures(const Image& picture, const Image& reference, const F
 /// Mean over pixels and channels of (a - ra)(b - rb) / (r^2 + 0.01), r the mean of `ra` and `rb`. For two independent
 /// pictures of the same settings and two independent halves of the reference its expectation is the square of the bias
 /// in the measure of relMSE: noise, which is independent, cancels, so it can fall below 0. Pixels with a value that is
-/// not finite are left out. All images are [height][width][4] of the same size.
+/// not finite are left out. The halves' own noise has to be small: it is in the weight too. All images are
+/// [height][width][4] of the same size.
 double bias_product(const Image& a, const Image& b, const Image& ra, const Image& rb);
 
 /// Mean of two images of the same size and channels.

@@ -11,9 +11,9 @@ namespace {
 
 constexpr int kSide = 64;
 
-/// Grey `level` plus `offset`, with noise of deviation 0.1.
-Image noisy(float level, float offset, std::mt19937& random) {
-  std::normal_distribution<float> normal(level + offset, 0.1f);
+/// Grey `level` with noise.
+Image noisy(float level, float deviation, std::mt19937& random) {
+  std::normal_distribution<float> normal(level, deviation);
   Image image{kSide, kSide, 4, std::vector<float>(kSide * kSide * 4)};
   for (float& value : image.values) value = normal(random);
   return image;
@@ -21,22 +21,24 @@ Image noisy(float level, float offset, std::mt19937& random) {
 
 TEST(BiasProductTest, NoiseCancelsAndBiasStays) {
   std::mt19937 random(7);
-  const float level = 1.0f;
-  const Image ra = noisy(level, 0.0f, random);
-  const Image rb = noisy(level, 0.0f, random);
-  // Of 12288 products of noise of variance 0.02 each, weighted by about 1: deviation 0.02 / 111 = 0.00018; five of
-  // them.
-  constexpr double kNoise = 0.0009;
-  EXPECT_NEAR(bias_product(noisy(level, 0.0f, random), noisy(level, 0.0f, random), ra, rb), 0.0, kNoise);
-  // 0.2^2 / (1 + 0.01), the noise of the weight and of the bias times noise added: 2 x 0.2 x 0.14 / 111 and 1 % of it.
-  EXPECT_NEAR(bias_product(noisy(level, 0.2f, random), noisy(level, 0.2f, random), ra, rb), 0.04 / 1.01, 3.0 * kNoise);
+  // A hundred times the samples of the pictures.
+  const Image ra = noisy(1.0f, 0.01f, random);
+  const Image rb = noisy(1.0f, 0.01f, random);
+  const auto product = [&](float level) {
+    const Image a = noisy(level, 0.1f, random);
+    return bias_product(a, noisy(level, 0.1f, random), ra, rb);
+  };
+  // Of 12288 products of noise of variance 0.01: deviation 0.01 / 111. With a bias of 0.2 each noise is added 0.2
+  // times: 0.2 sqrt(2) 0.1 / 111. Five of them each.
+  EXPECT_NEAR(product(1.0f), 0.0, 0.00045);
+  EXPECT_NEAR(product(1.2f), 0.04 / 1.01, 0.0013);
 }
 
 TEST(BiasProductTest, LeavesOutWhatIsNotFinite) {
   std::mt19937 random(7);
-  Image a = noisy(0.0f, 0.5f, random);
+  Image a = noisy(0.5f, 0.1f, random);
   a.values[0] = std::numeric_limits<float>::quiet_NaN();
-  const Image b = noisy(0.0f, 0.5f, random);
+  const Image b = noisy(0.5f, 0.1f, random);
   EXPECT_TRUE(std::isfinite(bias_product(a, b, b, b)));
 }
 
