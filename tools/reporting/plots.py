@@ -24,7 +24,18 @@ def _short(value: float, _place) -> str:
 
 
 def error_against_time(cost: dict, narrow: bool) -> str:
-    """Log-log plot, `narrow` for phones."""
+    """Log-log plot as SVG, `narrow` for phones."""
+    return _svg_text(_plot(cost, narrow))
+
+
+def save_plot(cost: dict, file) -> None:
+    """The wide plot as PNG on white."""
+    figure = _plot(cost, narrow=False)
+    figure.savefig(file, format="png", dpi=120, facecolor="white", metadata={"Software": None})
+    pyplot.close(figure)
+
+
+def _plot(cost: dict, narrow: bool):
     pyplot.rcParams.update({"svg.fonttype": "path", "font.family": "DejaVu Sans", "font.size": 9, "text.color": INK,
                             "axes.labelcolor": INK, "xtick.color": INK, "ytick.color": INK, "axes.edgecolor": INK,
                             "svg.hashsalt": "vernier"})
@@ -48,7 +59,7 @@ def error_against_time(cost: dict, narrow: bool) -> str:
         one.set_minor_formatter(NullFormatter())
     axes.legend(loc="lower left", bbox_to_anchor=(-0.2 if narrow else 0.0, 1.0), ncols=2 if narrow else 4, frameon=False,
                 fontsize=7.5 if narrow else 8, columnspacing=1.0, handlelength=1.5)
-    return _svg_text(figure)
+    return figure
 
 
 def _draw_series(axes, points: list[dict], label: str, color: str, mark: str) -> None:
