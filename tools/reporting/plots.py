@@ -99,8 +99,9 @@ def _draw_floors(axes, cost: dict) -> None:
 
 def _draw_reference(axes, cost: dict) -> None:
     own = cost["reference"].get("rel_error")
-    if own:
-        axes.axhspan(axes.get_ylim()[0], max(own, axes.get_ylim()[0]), color=INK, alpha=0.06,
+    lowest = axes.get_ylim()[0]
+    if own and own > lowest:
+        axes.axhspan(lowest, own, color=INK, alpha=0.06,
                      label="the reference's own error")
 
 
