@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
     Command chosen;
     add_render_command(app, chosen);
     add_explain_command(app, chosen);
+    add_cost_command(app, chosen);
     add_reference_command(app, chosen);
     add_diff_command(app, chosen);
     add_merge_command(app, chosen);

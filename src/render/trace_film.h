@@ -31,6 +31,10 @@ class FilmTracer {
   /// Error(refused) for a resumed film of another schedule.
   TraceStatistics trace(const RenderCallbacks& callbacks);
 
+  /// From now on traces take the samples of `settings`: any number of them, of the same area, and an error target only
+  /// where the specialization lists pixels.
+  void set_settings(const RenderSettings& settings) { settings_ = settings; }
+
  private:
   const Device& device_;
   RenderSettings settings_;
