@@ -35,7 +35,7 @@ class Bench {
  public:
   Bench(const Device& device, const Scene& scene, const Camera& camera, const SweepSetup& setup)
       : setup_(setup),
-        effects_(plan_effects(scene, camera, setup.settings.max_bounces, "auto")),
+        effects_(plan_effects(scene, camera, setup.settings.max_bounces, 0.0, "auto")),
         plan_(choose_effects(effects_, setup.settings.effects)),
         staged_(device, scene, camera, setup.settings) {
     sweep_.build_ms = staged_.packed().bake_ms + staged_.packed().bvh_build_ms;
@@ -195,7 +195,7 @@ class Bench {
 
   Clock::time_point start_ = Clock::now();
   const SweepSetup& setup_;
-  EffectSet effects_;  ///< as detected
+  EffectSet effects_;  ///< as detected; what any point asks for, whatever its cutoff
   EffectSet plan_;     ///< of the settings
   StagedScene staged_;
   std::map<Key, std::unique_ptr<TimedTrace>> traces_;
