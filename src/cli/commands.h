@@ -17,6 +17,8 @@ using Command = std::function<int()>;
 void add_render_command(CLI::App& app, Command& chosen);
 /// `vernier explain`: the effects of a scene and why.
 void add_explain_command(CLI::App& app, Command& chosen);
+/// `vernier cost`: accuracy against time.
+void add_cost_command(CLI::App& app, Command& chosen);
 /// `vernier reference`: the double-precision image.
 void add_reference_command(CLI::App& app, Command& chosen);
 /// `vernier diff`: figures of two images.

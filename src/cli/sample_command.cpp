@@ -20,12 +20,11 @@ std::string option(const std::string& name, const std::string& value) {
   return " --" + name + " " + shell_word(value);
 }
 
-/// The command that renders `scene` to `output` with every option of the recipe.
-std::string render_command(const SceneArguments& scene, const RenderArguments& render, const std::string& output) {
+/// The command that renders `scene` to `output` with `options` of the recipe.
+std::string command_of(const std::string& scene, const std::string& output, const nlohmann::ordered_json& options) {
   std::string command = "vernier render";
-  if (!scene.scene.empty()) command += " " + shell_word(scene.scene);
+  if (!scene.empty()) command += " " + shell_word(scene);
   command += " -o " + shell_word(output);
-  const nlohmann::ordered_json options = recipe_options(scene, render);
   for (const auto& [name, value] : options.items()) {
     if (value.is_array()) {
       for (const auto& each : value) command += option(name, each.get<std::string>());
@@ -36,7 +35,24 @@ std::string render_command(const SceneArguments& scene, const RenderArguments& r
   return command;
 }
 
+/// The same with every option.
+std::string render_command(const SceneArguments& scene, const RenderArguments& render, const std::string& output) {
+  return command_of(scene.scene, output, recipe_options(scene, render));
+}
+
 }  // namespace
+
+std::string short_render_command(const SceneArguments& scene, const RenderArguments& render,
+                                 const std::string& output) {
+  const nlohmann::ordered_json defaults = recipe_options({}, {});
+  nlohmann::ordered_json options = nlohmann::ordered_json::object();
+  const nlohmann::ordered_json all = recipe_options(scene, render);
+  for (const auto& [name, value] : all.items()) {
+    if (!defaults.contains(name) || defaults[name] != value) options[name] = value;
+  }
+  if (render.spp.empty()) options.erase("spp");
+  return command_of(scene.scene, output, options);
+}
 
 std::string shell_word(const std::string& text) {
   if (!text.empty() && std::ranges::all_of(text, is_plain)) return text;

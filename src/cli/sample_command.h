@@ -10,6 +10,10 @@ namespace vernier {
 /// `text` as one word of a POSIX shell: as it is where no character means anything to a shell, else in single quotes.
 std::string shell_word(const std::string& text);
 
+/// The command line, for a POSIX shell, that renders `scene` to the file `output` by the options of `render`. Those
+/// that are at their defaults are left out.
+std::string short_render_command(const SceneArguments& scene, const RenderArguments& render, const std::string& output);
+
 /// The command line, for a POSIX shell, that traces the sample at `place` of the render that `plan` describes, and
 /// nothing else: every option that decides a bit of the image, and the device the render ran on. It writes sample.exr.
 std::string sample_command(const RenderPlan& plan, const std::string& device, const SamplePlace& place);

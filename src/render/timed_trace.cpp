@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "shared/film_layout.h"
+
 namespace vernier {
 namespace {
 
@@ -40,14 +42,17 @@ TraceSpecialization StagedScene::specialization(std::uint32_t effects) const {
 void StagedScene::set_max_bounces(std::uint32_t max_bounces) {
   RenderSettings settings = settings_;
   settings.max_bounces = max_bounces;
-  set_settings(packed_, settings);
+  set_settings(settings);
+}
+
+void StagedScene::set_settings(const RenderSettings& settings) {
+  vernier::set_settings(packed_, settings);
   gpu_scene_.set_constants(device_, packed_.constants, packed_.steering);
 }
 
 void StagedScene::set_view(const Camera& camera, const RenderSettings& settings) {
   set_camera(packed_, camera, settings);
-  set_settings(packed_, settings);
-  gpu_scene_.set_constants(device_, packed_.constants, packed_.steering);
+  set_settings(settings);
 }
 
 TimedTrace::TimedTrace(const StagedScene& scene, const TraceSpecialization& specialization,
@@ -58,10 +63,20 @@ TimedTrace::TimedTrace(const StagedScene& scene, const TraceSpecialization& spec
 
 TraceTime TimedTrace::trace() {
   const TraceStatistics after = tracer_.trace({});
-  TraceTime time{after.device_ms - before_.device_ms, difference(after.rays, before_.rays), after.saved};
+  TraceTime time{after.device_ms - before_.device_ms, difference(after.rays, before_.rays), after.wall_ms, after.saved};
   time.saved.aov_bytes = Film::aov_bytes(film_.area());
-  before_ = {after.device_ms, after.rays, {}};
+  before_ = {after.device_ms, after.rays, after.wall_ms, {}};
+  compile_ms_ = 0.0;
+  for (const PipelineTime& pipeline : after.pipelines) compile_ms_ += pipeline.compile_ms;
   return time;
+}
+
+TraceTime TimedTrace::trace_anew(const RenderSettings& settings) {
+  const PixelRect& area = film_.area();
+  const std::size_t pixels = static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height);
+  film_.write_sums(device_, std::vector<std::uint32_t>(pixels * FILM_WORDS));
+  tracer_.set_settings(settings);
+  return trace();
 }
 
 Image TimedTrace::picture() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "image/image.h"
 #include "render/film.h"
@@ -18,13 +19,16 @@ class StagedScene {
   StagedScene(const Device& device, const Scene& scene, const Camera& camera, const RenderSettings& settings);
 
   const Device& device() const { return device_; }
+  const PackedScene& packed() const { return packed_; }
   const GpuScene& gpu_scene() const { return gpu_scene_; }
   SceneLoads loads() const { return loads_; }
   /// What the kernels are specialized to for `effects` at the settings' accuracy.
   TraceSpecialization specialization(std::uint32_t effects) const;
   /// Traces begun from now on go `max_bounces` deep, at most as deep as the settings said at the start.
   void set_max_bounces(std::uint32_t max_bounces);
-  /// Traces begun from now on see through `camera` with the size, seed, samples, bounces and cutoff of `settings`.
+  /// Traces begun from now on have the seed, samples, bounces and cutoff of `settings`, whose size is the first one's.
+  void set_settings(const RenderSettings& settings);
+  /// Traces begun from now on see through `camera` with `settings`, of any size.
   void set_view(const Camera& camera, const RenderSettings& settings);
 
  private:
@@ -39,6 +43,7 @@ class StagedScene {
 struct TraceTime {
   double device_ms = 0.0;
   RayCounts rays;
+  double wall_ms = 0.0;
   SavedMemory saved;  ///< of all its buffers, against a pipeline with every effect, all AOVs and the cost
 };
 
@@ -51,14 +56,21 @@ class TimedTrace {
 
   /// Traces all samples of the settings once more.
   TraceTime trace();
+  /// Empties the film and traces the samples of `settings`, which StagedScene::set_settings has told the device of.
+  TraceTime trace_anew(const RenderSettings& settings);
   /// The picture so far, R G B A. Repeated traces of the same samples leave it as it is.
   Image picture() const;
+  /// The film as values: samples of each pixel, pixels that are not finite.
+  DevelopedFilm developed() const { return develop(film_.read_sums(device_), film_.area()); }
+  /// Of both kernels, with the first dispatch. 0 before the first trace.
+  double compile_ms() const { return compile_ms_; }
 
  private:
   const Device& device_;
   Film film_;
   FilmTracer tracer_;
   TraceTime before_;
+  double compile_ms_ = 0.0;
 };
 
 /// Median, least and most of some ratios of times.

@@ -34,6 +34,10 @@ class FilmTracer {
   /// of settings of that size. Without an error target.
   TraceStatistics trace_part(const PixelRect& area, const RenderSettings& settings, const RenderCallbacks& callbacks);
 
+  /// From now on traces take the samples of `settings`: any number of them, of the same area, and an error target only
+  /// where the specialization lists pixels.
+  void set_settings(const RenderSettings& settings) { settings_ = settings; }
+
  private:
   const Device& device_;
   RenderSettings settings_;

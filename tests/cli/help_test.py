@@ -15,8 +15,8 @@ RENDER_DEFAULTS = {
 UNITS = {"--size": "pixels", "--crop": "pixels", "--eye": "metres", "--target": "metres", "--fov": "degrees",
          "--light": "candela", "--dispatch-ms": "milliseconds", "--time-limit": "seconds", "--exposure": "stops",
          "--spp": "samples per pixel", "--background": "linear radiance"}
-COMMANDS = ["render", "explain", "reference", "diff", "merge", "rerun", "devices", "verify"]
-LATER = ["view", "cost"]
+COMMANDS = ["render", "explain", "cost", "reference", "diff", "merge", "rerun", "devices", "verify"]
+LATER = ["view"]
 
 
 def option_texts(text):

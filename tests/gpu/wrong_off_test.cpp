@@ -38,6 +38,20 @@ TEST_F(WrongOffTest, each_effect_that_is_left_out_changes_bits_of_the_picture) {
   }
 }
 
+TEST_F(WrongOffTest, a_normal_texture_without_slope_and_glass_without_boundary_change_no_bit) {
+  scene_ = test::tiny_scene();
+  Material& wall = scene_.materials[0];
+  Material& mirror = scene_.materials[1];
+  Material& glass = scene_.materials[2];
+  wall.normal_scale = 0.0f;
+  wall.roughness = mirror.roughness = 1.0f;
+  glass.ior = 1.0f;
+  const std::uint32_t bits = detect_effects(scene_, camera_, 8).bits;
+  ASSERT_EQ(bits & (EFFECT_NORMAL_TEXTURE | EFFECT_REFLECTION), 0u);
+  ASSERT_NE(bits & EFFECT_REFRACTION, 0u);
+  EXPECT_TRUE(picture("auto") == picture("all"));
+}
+
 /// Two walls that mirror a quarter of what meets them, far into the picture.
 Scene mirror_corridor() {
   Scene scene;

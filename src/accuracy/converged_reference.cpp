@@ -1,0 +1,85 @@
+#include "accuracy/converged_reference.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "accuracy/error_figures.h"
+#include "image/difference.h"
+#include "render/timed_trace.h"
+
+namespace vernier {
+namespace {
+
+constexpr std::uint32_t kPartSpp = 64;
+constexpr std::uint64_t kMostSpp = 65536;
+/// Points count their seeds up from the user's, these go down from the largest.
+constexpr std::uint32_t kFirstSeed = 0xffffffffu;
+
+/// Sums of pictures in double.
+class PictureSum {
+ public:
+  void add(const Image& image) {
+    if (shape_.values.empty()) {
+      shape_ = image;
+      sums_.assign(image.values.size(), 0.0);
+    }
+    for (std::size_t i = 0; i < sums_.size(); ++i) sums_[i] += image.values[i];
+    ++count_;
+  }
+
+  Image mean() const {
+    Image image = shape_;
+    for (std::size_t i = 0; i < sums_.size(); ++i) image.values[i] = static_cast<float>(sums_[i] / count_);
+    return image;
+  }
+
+ private:
+  Image shape_;
+  std::vector<double> sums_;
+  int count_ = 0;
+};
+
+}  // namespace
+
+RenderSettings reference_settings(const RenderSettings& settings) {
+  RenderSettings part = settings;
+  part.accuracy = Accuracy::exact;
+  constexpr std::uint32_t kMostBounces = 1000;  // of --max-bounces
+  part.max_bounces = std::min(2 * settings.max_bounces, kMostBounces);
+  part.cutoff = settings.cutoff / 16.0f;
+  part.sample_begin = 0;
+  part.sample_end = part.spp = kPartSpp;
+  part.error_target.reset();
+  return part;
+}
+
+ConvergedReference render_reference_parts(StagedScene& staged, TimedTrace& trace, const RenderSettings& settings,
+                                          double budget_ms, const std::function<bool()>& stop) {
+  const auto start = std::chrono::steady_clock::now();
+  const auto spent_ms = [&] {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  };
+  ConvergedReference reference;
+  reference.settings = settings;
+  PictureSum sums[2];
+  std::uint32_t seed = kFirstSeed;
+  do {
+    for (PictureSum& sum : sums) {
+      reference.settings.seed = seed--;
+      staged.set_settings(reference.settings);
+      trace.trace_anew(reference.settings);
+      sum.add(trace.picture());
+      reference.spp += settings.spp;
+    }
+  } while (spent_ms() < budget_ms && reference.spp < kMostSpp && !(stop && stop()));
+  for (int half = 0; half < 2; ++half) reference.halves[half] = sums[half].mean();
+  reference.image = mean_image(reference.halves[0], reference.halves[1]);
+  // The difference of two halves has 4 times the variance of their mean.
+  const Difference apart = compare_images(reference.halves[0], reference.halves[1]);
+  reference.rmse = apart.rmse / 2.0;
+  reference.rel_error = std::sqrt(apart.rel_mse) / 2.0;
+  return reference;
+}
+
+}  // namespace vernier

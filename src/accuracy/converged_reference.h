@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "image/image.h"
+#include "render/render_settings.h"
+
+namespace vernier {
+
+class StagedScene;
+class TimedTrace;
+
+/// What the points of a sweep are held against.
+struct ConvergedReference {
+  Image image;              ///< mean of the halves
+  Image halves[2];          ///< of independent samples; both the same for an image from a file
+  std::uint64_t spp = 0;    ///< samples of a pixel in all; 0: from a file
+  double rel_error = 0.0;   ///< own sqrt(relMSE), from the difference of the halves; 0 for a file, which tells none
+  double rmse = 0.0;        ///< likewise
+  std::string file;         ///< empty: rendered
+  RenderSettings settings;  ///< of a part
+};
+
+/// Settings of a part of the reference for points around `settings`: exact, twice as deep, a sixteenth of the cutoff.
+RenderSettings reference_settings(const RenderSettings& settings);
+
+/// Renders parts of 64 samples, of seeds that no point has, to two halves in turn, for `budget_ms` of wall time, at
+/// least one part each and at most 65536 samples. `stop` ends it after a whole pair of parts.
+ConvergedReference render_reference_parts(StagedScene& staged, TimedTrace& trace, const RenderSettings& settings,
+                                          double budget_ms, const std::function<bool()>& stop);
+
+}  // namespace vernier
