@@ -24,8 +24,9 @@ int run_window_program(std::vector<std::string> words) {
   for (std::string& word : words) pointers.push_back(word.data());
   pointers.push_back(nullptr);
   execv(program.c_str(), pointers.data());
-  throw Error(ErrorKind::failed, program + " cannot be run: " + std::strerror(errno) +
-                                     "; it is built where GLFW and Dear ImGui are installed");
+  throw Error(ErrorKind::failed, program + " cannot be run (" + std::strerror(errno) +
+                                     "): the window needs GLFW and Dear ImGui (libglfw3-dev libimgui-dev); "
+                                     "tools/setup window installs them, then build again");
 }
 
 }  // namespace

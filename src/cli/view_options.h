@@ -1,23 +1,23 @@
 #pragma once
 
-#include "cli/render_options.h"
-#include "cli/scene_options.h"
+#include <string>
+
+#include "cli/render_command.h"
 
 namespace vernier {
 
 /// The texts of `view`'s options.
 struct ViewArguments {
-  SceneArguments scene;
-  RenderArguments render;
-  std::string device;
-  std::string exposure = "0";
+  RenderCommandArguments render;  ///< what the window begins with; no output
+  std::string script;
+  std::string record;
+  std::string places;
 };
 
 /// `view`'s options in values.
 struct ViewSettings {
   SceneSettings scene;
   RenderSettings render;
-  std::string device;
   float exposure_ev = 0.0f;
 };
 

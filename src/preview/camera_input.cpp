@@ -23,6 +23,10 @@ std::optional<OrbitView> dragged(const OrbitView& view, float height) {
   if (io.MouseDelta.x == 0.0f && io.MouseDelta.y == 0.0f) return std::nullopt;
   const double right = io.MouseDelta.x / height;
   const double down = io.MouseDelta.y / height;
+  // The way to the place where a button went down is none of the drag.
+  for (const ImGuiMouseButton button : {ImGuiMouseButton_Left, ImGuiMouseButton_Right, ImGuiMouseButton_Middle}) {
+    if (ImGui::IsMouseClicked(button)) return std::nullopt;
+  }
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || (left && io.KeyShift)) return panned(view, -right, down);
   if (left) return orbited(view, right * kPi, -down * kPi);

@@ -13,6 +13,8 @@ struct DisplaySettings {
   std::uint32_t layer = DISPLAY_COLOR;  ///< DISPLAY_*
   float exposure_ev = 0.0f;             ///< stops
   float far_depth_m = 1.0f;             ///< where the depth is shown half as bright
+
+  bool operator==(const DisplaySettings&) const = default;
 };
 
 /// A film as eight-bit words on the device; it never passes through the host. Owns pipeline and words.

@@ -48,6 +48,16 @@ OrbitView orbit_view(const Camera& camera, const WorldBounds& bounds) {
   return view;
 }
 
+OrbitView framed(const OrbitView& view, const WorldBounds& bounds, double aspect) {
+  const Camera all = frame_camera(bounds, view.camera.orthographic ? Camera{}.vertical_fov : view.camera.vertical_fov, aspect);
+  Camera camera = view.camera;
+  camera.world_from_camera = all.world_from_camera;
+  OrbitView out = orbit_view(camera, bounds);
+  // What the perspective camera sees of the target's plane.
+  if (camera.orthographic) out.camera.half_height = distance(out) * std::tan(all.vertical_fov * 0.5);
+  return out;
+}
+
 OrbitView orbited(const OrbitView& view, double yaw, double pitch) {
   const glm::dvec3 up(0.0, 1.0, 0.0);
   const OrbitView yawed = turned(view, glm::rotate(glm::dmat4(1.0), -yaw, up));

@@ -17,6 +17,9 @@ struct OrbitView {
 /// than a thousandth of their extent.
 OrbitView orbit_view(const Camera& camera, const WorldBounds& bounds);
 
+/// `view` moved so that it sees all of `bounds` in a picture of `aspect` = width / height, from three quarters.
+OrbitView framed(const OrbitView& view, const WorldBounds& bounds, double aspect);
+
 /// Turned around the target: `yaw` radians about the world's +Y, to the right where positive, then `pitch` upwards. The
 /// eye stays a degree away from looking along Y, where there would be no telling left from right.
 OrbitView orbited(const OrbitView& view, double yaw, double pitch);

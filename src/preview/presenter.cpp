@@ -1,6 +1,7 @@
 #include "preview/presenter.h"
 
 #include <array>
+#include <utility>
 
 #include "error.h"
 
@@ -148,6 +149,7 @@ void Presenter::record(const ShownPicture& picture, std::uint32_t index,
                             vk::SubpassContents::eInline);
   draw_over(commands_);
   commands_.endRenderPass();
+  if (capture_wanted_ && swapchain_.can_be_read()) record_capture(target);
   commands_.end();
 }
 
@@ -169,6 +171,42 @@ void Presenter::record_picture(const ShownPicture& picture, vk::Image target) {
                            corners(picture.corner, picture.shown_size));
   commands_.blitImage(*picture_, vk::ImageLayout::eTransferSrcOptimal, target, vk::ImageLayout::eTransferDstOptimal,
                       blit, same_size ? vk::Filter::eNearest : vk::Filter::eLinear);
+}
+
+void Presenter::record_capture(vk::Image target) {
+  captured_extent_ = swapchain_.extent();
+  captured_ = Buffer(device_, std::uint64_t{4} * captured_extent_.width * captured_extent_.height,
+                     BufferUse::storage_host_visible);
+  capture_wanted_ = false;
+  const vk::PipelineStageFlags drawn = vk::PipelineStageFlagBits::eColorAttachmentOutput;
+  transition(commands_, target,
+             {vk::ImageLayout::ePresentSrcKHR, vk::ImageLayout::eTransferSrcOptimal,
+              vk::AccessFlagBits::eColorAttachmentWrite, kRead, drawn, kTransfer});
+  commands_.copyImageToBuffer(target, vk::ImageLayout::eTransferSrcOptimal, *captured_.vk(),
+                              vk::BufferImageCopy(0, 0, 0, kLayer, {0, 0, 0},
+                                                  {captured_extent_.width, captured_extent_.height, 1}));
+  transition(commands_, target,
+             {vk::ImageLayout::eTransferSrcOptimal, vk::ImageLayout::ePresentSrcKHR, kRead, {}, kTransfer,
+              vk::PipelineStageFlagBits::eBottomOfPipe});
+  const vk::MemoryBarrier host(kWrite, vk::AccessFlagBits::eHostRead);
+  commands_.pipelineBarrier(kTransfer, vk::PipelineStageFlagBits::eHost, {}, host, {}, {});
+}
+
+Image Presenter::taken_capture() {
+  const Buffer words = std::exchange(captured_, Buffer());
+  Image image{static_cast<int>(captured_extent_.width), static_cast<int>(captured_extent_.height), 3, {}};
+  if (words.size_bytes() == 0) return {};
+  const bool blue_first = format_.format == vk::Format::eB8G8R8A8Unorm;
+  const std::span<std::byte> bytes = words.mapped();
+  const std::size_t pixels = static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
+  image.values.reserve(3 * pixels);
+  for (std::size_t pixel = 0; pixel < pixels; ++pixel) {
+    for (const std::size_t channel : {0, 1, 2}) {
+      const std::size_t place = 4 * pixel + (blue_first ? 2 - channel : channel);
+      image.values.push_back(static_cast<float>(std::to_integer<int>(bytes[place])) / 255.0f);
+    }
+  }
+  return image;
 }
 
 void Presenter::submit(std::uint32_t index) {

@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include "gpu/buffer.h"
+#include "image/image.h"
 #include "preview/swapchain.h"
 
 namespace vernier {
@@ -34,6 +35,11 @@ class Presenter {
   bool present(const ShownPicture& picture, glm::ivec2 window_size,
                const std::function<void(const vk::raii::CommandBuffer&)>& draw_over);
 
+  /// What the next present shows, panels and all, is kept for taken_capture().
+  void capture_next() { capture_wanted_ = true; }
+  /// The window as it was captured, [height][width][3] display code values in [0, 1]; empty when nothing was.
+  Image taken_capture();
+
   /// Runs `record` on its own and waits: for uploads of who draws.
   void run(const std::function<void(const vk::raii::CommandBuffer&)>& record);
 
@@ -42,6 +48,7 @@ class Presenter {
   void record(const ShownPicture& picture, std::uint32_t index,
               const std::function<void(const vk::raii::CommandBuffer&)>& draw_over);
   void record_picture(const ShownPicture& picture, vk::Image target);
+  void record_capture(vk::Image target);
   void submit(std::uint32_t index);
 
   const Device& device_;
@@ -56,6 +63,9 @@ class Presenter {
   vk::raii::DeviceMemory picture_memory_{nullptr};
   vk::raii::Image picture_{nullptr};
   bool out_of_date_ = false;
+  bool capture_wanted_ = false;
+  Buffer captured_;  // four bytes a pixel in the order of format_
+  vk::Extent2D captured_extent_;
 };
 
 }  // namespace vernier

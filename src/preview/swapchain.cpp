@@ -19,6 +19,13 @@ std::uint32_t chosen_image_count(const vk::SurfaceCapabilitiesKHR& can) {
   return can.maxImageCount > 0 ? std::min(wanted, can.maxImageCount) : wanted;
 }
 
+/// A window that nobody sees must not keep the program waiting, as first in, first out may.
+vk::PresentModeKHR chosen_mode(const Device& device, vk::SurfaceKHR surface) {
+  const std::vector<vk::PresentModeKHR> modes = device.physical().getSurfacePresentModesKHR(surface);
+  const bool mailbox = std::ranges::find(modes, vk::PresentModeKHR::eMailbox) != modes.end();
+  return mailbox ? vk::PresentModeKHR::eMailbox : vk::PresentModeKHR::eFifo;
+}
+
 }  // namespace
 
 Swapchain::Swapchain(const Device& device, vk::SurfaceKHR surface, vk::SurfaceFormatKHR format,
@@ -27,10 +34,13 @@ Swapchain::Swapchain(const Device& device, vk::SurfaceKHR surface, vk::SurfaceFo
     const vk::SurfaceCapabilitiesKHR can = device.physical().getSurfaceCapabilitiesKHR(surface);
     extent_ = chosen_extent(can, wanted);
     if (extent_.width == 0 || extent_.height == 0) return;
-    const vk::ImageUsageFlags usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferDst;
+    vk::ImageUsageFlags usage = vk::ImageUsageFlagBits::eColorAttachment | vk::ImageUsageFlagBits::eTransferDst;
+    // For screenshots, where that is possible.
+    usage |= can.supportedUsageFlags & vk::ImageUsageFlagBits::eTransferSrc;
+    can_be_read_ = static_cast<bool>(usage & vk::ImageUsageFlagBits::eTransferSrc);
     const vk::SwapchainCreateInfoKHR create({}, surface, chosen_image_count(can), format.format, format.colorSpace,
                                             extent_, 1, usage, vk::SharingMode::eExclusive, {}, can.currentTransform,
-                                            vk::CompositeAlphaFlagBitsKHR::eOpaque, vk::PresentModeKHR::eFifo, VK_TRUE,
+                                            vk::CompositeAlphaFlagBitsKHR::eOpaque, chosen_mode(device, surface), VK_TRUE,
                                             old);
     swapchain_ = vk::raii::SwapchainKHR(device.vk(), create);
     for (const VkImage image : swapchain_.getImages()) images_.emplace_back(image);

@@ -20,6 +20,8 @@ class Swapchain {
   vk::Extent2D extent() const { return extent_; }
   const vk::raii::SwapchainKHR& vk() const { return swapchain_; }
   std::uint32_t image_count() const { return static_cast<std::uint32_t>(images_.size()); }
+  /// Whether images can be copied from.
+  bool can_be_read() const { return can_be_read_; }
   vk::Image image(std::uint32_t index) const { return images_[index]; }
   vk::Framebuffer framebuffer(std::uint32_t index) const { return *framebuffers_[index]; }
   /// Signalled when image `index` has been drawn.
@@ -27,6 +29,7 @@ class Swapchain {
 
  private:
   vk::Extent2D extent_;
+  bool can_be_read_ = false;
   vk::raii::SwapchainKHR swapchain_{nullptr};
   std::vector<vk::Image> images_;
   std::vector<vk::raii::ImageView> views_;

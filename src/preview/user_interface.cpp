@@ -90,9 +90,10 @@ UserInterface::~UserInterface() {
   ImGui::DestroyContext();
 }
 
-void UserInterface::begin_frame() {
+void UserInterface::begin_frame(const std::function<void()>& put_input) {
   ImGui_ImplVulkan_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  put_input();
   ImGui::NewFrame();
 }
 

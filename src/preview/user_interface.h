@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vulkan/vulkan_raii.hpp>
 
 #include "preview/presenter.h"
@@ -16,8 +17,9 @@ class UserInterface {
   UserInterface(const UserInterface&) = delete;
   UserInterface& operator=(const UserInterface&) = delete;
 
-  /// Widgets may be called from here on, until end_frame.
-  void begin_frame();
+  /// Widgets may be called from here on, until end_frame. `put_input`: after the window's mouse and keys are in, and
+  /// before widgets see them.
+  void begin_frame(const std::function<void()>& put_input);
   void end_frame();
   /// Records the drawing of the last frame.
   void record(const vk::raii::CommandBuffer& commands) const;

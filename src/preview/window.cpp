@@ -89,6 +89,19 @@ glm::ivec2 Window::size_px() const {
   return size;
 }
 
+void Window::set_size(glm::ivec2 size) {
+  float scale_x = 1.0f, scale_y = 1.0f;
+  glm::ivec2 inside;
+  glfwGetWindowSize(window_, &inside.x, &inside.y);
+  const glm::ivec2 pixels = size_px();
+  if (inside.x > 0 && inside.y > 0) {
+    scale_x = static_cast<float>(pixels.x) / static_cast<float>(inside.x);
+    scale_y = static_cast<float>(pixels.y) / static_cast<float>(inside.y);
+  }
+  glfwSetWindowSize(window_, static_cast<int>(static_cast<float>(size.x) / scale_x),
+                    static_cast<int>(static_cast<float>(size.y) / scale_y));
+}
+
 void Window::set_title(const std::string& title) {
   glfwSetWindowTitle(window_, title.c_str());
 }

@@ -32,6 +32,8 @@ class Window {
   void close();
   /// Pixels inside; 0 while minimised.
   glm::ivec2 size_px() const;
+  /// Asks for `size` pixels inside.
+  void set_size(glm::ivec2 size);
   void set_title(const std::string& title);
   /// Files dropped since the last call.
   std::vector<std::string> take_drops();
