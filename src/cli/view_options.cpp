@@ -32,10 +32,12 @@ CLI::App& add_view_subcommand(CLI::App& app, ViewArguments& arguments) {
   // For tests: where each widget lies, as JSON, whenever that changes.
   command.add_option("--places", arguments.places)->group("");
   command.footer(
-      "Left drag turns, middle drag or left with shift moves across, right drag and wheel go nearer; W A S D Q E walk,\n"
+      "Left drag turns, middle drag or left with shift moves across, right drag and wheel go nearer; W A S D Q E "
+      "walk,\n"
       "F frames all, 1 to 9 are the file's cameras, R renders, Escape stops, O opens; files may be dropped.\n"
       "Events of a script; # begins a comment, x and y are pixels of the window from its upper left:\n"
-      "  wait SECONDS | settle (until the picture has its samples) | shot NAME (writes DIR/NAME.png) | close\n"
+      "  wait SECONDS | settle (until the picture has its samples) | shot NAME (writes DIR/NAME.png, or NAME.jpg) | "
+      "close\n"
       "  move X Y | press BUTTON | release BUTTON (left, middle, right) | wheel NOTCHES | click WIDGET\n"
       "  key K | hold K | let K (a letter, a digit, escape, enter) | size W H (of the window) | drop FILE | open FILE\n"
       "  set NAME VALUE, as on the command line: Size, Samples, Bounces, Accuracy, Tile, Effects, Exposure, File;\n"
