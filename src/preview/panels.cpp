@@ -23,13 +23,11 @@ void draw_messages(PanelState& state) {
 }
 
 std::string progress_text(const ViewSession& session, const PictureState& picture) {
-  const double wanted = picture.rendering ? session.settings().spp : std::min(session.settings().spp, kPreviewSamples);
+  const std::uint32_t all = session.settings().spp;
   const int done = static_cast<int>(picture.samples_done);
-  if (session.is_complete()) return format_text("done: %d samples in %.1f s", done, picture.seconds);
-  if (picture.rendering) {
-    return format_text("rendering, %.0f s left", picture.eta_s);
-  }
-  return format_text("preview: %d of %.0f samples", done, wanted);
+  if (session.is_complete()) return format_text("done: %u samples in %.1f s", all, picture.seconds);
+  if (picture.rendering) return format_text("rendering: %d of %u samples, %.0f s left", done, all, picture.eta_s);
+  return format_text("preview: %d of %u samples; Render takes all", done, all);
 }
 
 }  // namespace

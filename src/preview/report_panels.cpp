@@ -94,7 +94,8 @@ void draw_pixel_section(const ViewSession& session, const PanelState& state) {
   if (!section("Pixel", true)) return;
   // Always three lines, so that nothing below jumps.
   if (!state.pixel) {
-    quiet_text("Point at the picture to see what is there.\n\n");
+    quiet_text("Point at the picture to see what is there.");
+    quiet_text(" \n ");
     return;
   }
   const PixelFacts& pixel = *state.pixel;

@@ -17,15 +17,15 @@ constexpr int kMostBounces = 64;
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 25;
 
 /// Two whole numbers; true when Enter or another widget ended the edit.
-bool edit_pair(const char* name, PanelState& state, glm::ivec2& pair) {
-  label(name);
+bool edit_pair(const char* name, const char* text, PanelState& state, glm::ivec2& pair) {
+  label(text);
   ImGui::InputInt2((std::string("##") + name).c_str(), &pair.x);
   note_place(state.places, name);
   return ImGui::IsItemDeactivatedAfterEdit();
 }
 
 bool edit_size(PanelState& state) {
-  if (!edit_pair("Size", state, state.edited_size)) return false;
+  if (!edit_pair("Size", "Size", state, state.edited_size)) return false;
   const glm::ivec2 size = glm::max(state.edited_size, glm::ivec2(1));
   if (std::int64_t{size.x} * size.y > kMostPixels) {
     state.message = "Size: at most " + grouped(static_cast<std::uint64_t>(kMostPixels)) + " pixels";
@@ -39,7 +39,7 @@ bool edit_size(PanelState& state) {
 }
 
 bool edit_tile(PanelState& state) {
-  if (!edit_pair("Tile", state, state.edited_tile)) return false;
+  if (!edit_pair("Tile", "Tile (0: auto)", state, state.edited_tile)) return false;
   // Both or none: 0 lets the renderer choose.
   state.edited_tile = glm::max(state.edited_tile, glm::ivec2(0));
   if (state.edited_tile.x == 0 || state.edited_tile.y == 0) state.edited_tile = glm::ivec2(0);

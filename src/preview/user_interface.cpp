@@ -42,6 +42,8 @@ void choose_style(float scale) {
   style.ItemSpacing = {8.0f, 7.0f};
   style.Colors[ImGuiCol_WindowBg] = {0.13f, 0.135f, 0.145f, 1.0f};
   style.Colors[ImGuiCol_Header] = {0.20f, 0.22f, 0.26f, 1.0f};
+  // Values are written over the grab.
+  style.Colors[ImGuiCol_SliderGrab] = {0.30f, 0.44f, 0.66f, 1.0f};
   style.Colors[ImGuiCol_PlotHistogram] = {0.33f, 0.60f, 0.86f, 1.0f};
   style.ScaleAllSizes(scale);
 }

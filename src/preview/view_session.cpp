@@ -120,8 +120,8 @@ void ViewSession::come_to_rest() {
 }
 
 void ViewSession::render() {
-  state_.rendering = true;
   moving_ = false;
+  state_.rendering = !is_complete();
 }
 
 void ViewSession::stop() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
@@ -34,6 +35,8 @@ class Window {
   void close();
   /// Pixels inside; 0 while minimised.
   glm::ivec2 size_px() const;
+  /// When it was opened.
+  std::chrono::steady_clock::time_point opened() const { return opened_; }
   /// Asks for `size` pixels inside.
   void set_size(glm::ivec2 size);
   /// Above the window.
@@ -46,6 +49,7 @@ class Window {
  private:
   GLFWwindow* window_ = nullptr;
   std::vector<std::string> drops_;
+  std::chrono::steady_clock::time_point opened_ = std::chrono::steady_clock::now();
 };
 
 }  // namespace vernier

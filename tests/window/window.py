@@ -15,6 +15,7 @@ PROGRAM = os.environ["VERNIER"]
 SCENES = Path(os.environ["VERNIER_SOURCE_DIR"]) / "scenes"
 SIZE = (320, 180)
 ROOM = (480, 680)  # of the picture in a window that has just been opened
+OUTSIDE = (1270, 710)  # of the window
 PANEL = 340  # pixels, at the right of the window
 # On two busy cores a kernel compiles in seconds.
 PATIENCE = 60.0
@@ -55,6 +56,7 @@ class View:
         raise AssertionError(f"{what}: waited in vain; {self.state()} {self.said()}")
 
     def settle(self, what="a picture that is settled"):
+        time.sleep(0.3)  # what was done before is seen
         state = self.wait(lambda state: state["settled"], what)
         time.sleep(0.3)  # it is on the screen one frame later
         return state
@@ -78,7 +80,8 @@ class View:
         raise AssertionError(f"{name} does not come in sight: {self.place(name)}")
 
     def picture(self):
-        """The part of the screen that shows the scene."""
+        """The part of the screen that shows the scene, without the mouse's arrow on it."""
+        self.screen.point(*OUTSIDE)
         return self.screen.picture().part(0, 0, *ROOM)
 
     def said(self):
