@@ -9,8 +9,8 @@ namespace vernier {
 /// How long the user waited for pictures, at most: an event may have come right after the last look for events.
 class Latency {
  public:
-  /// The window opened at that time.
-  explicit Latency(std::chrono::steady_clock::time_point opened) : opened_(opened) {}
+  /// The window opened at `opened`.
+  void begin(std::chrono::steady_clock::time_point opened) { opened_ = opened; }
 
   /// The camera was moved at `earliest` or later: the next picture answers to it.
   void input(std::chrono::steady_clock::time_point earliest);

@@ -39,6 +39,9 @@ ViewWindow::ViewWindow(const ViewPlan& plan, Window& window, ViewedScene first)
   state_.browser.set_recent(read_recent_files(recent_files_path()));
   if (!plan.record_folder.empty()) replay_.emplace(plan.script);
   show(std::move(first));
+  // With a scene to show: nobody looks at an empty window.
+  window_.show();
+  latency_.begin(window_.opened());
 }
 
 ViewWindow::~ViewWindow() = default;

@@ -36,6 +36,7 @@ glm::ivec2 at_most_the_screen(glm::ivec2 size) {
 Window::Window(const std::string& title, glm::ivec2 size) {
   if (glfwInit() != GLFW_TRUE) throw Error(ErrorKind::failed, "no window can be opened: " + last_failure());
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   const glm::ivec2 fitting = at_most_the_screen(size);
   window_ = glfwCreateWindow(fitting.x, fitting.y, title.c_str(), nullptr, nullptr);
   if (window_ == nullptr) {
@@ -100,6 +101,12 @@ void Window::set_size(glm::ivec2 size) {
   }
   glfwSetWindowSize(window_, static_cast<int>(static_cast<float>(size.x) / scale_x),
                     static_cast<int>(static_cast<float>(size.y) / scale_y));
+}
+
+void Window::show() {
+  if (opened_ != std::chrono::steady_clock::time_point{}) return;
+  glfwShowWindow(window_);
+  opened_ = std::chrono::steady_clock::now();
 }
 
 void Window::set_title(const std::string& title) {

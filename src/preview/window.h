@@ -15,8 +15,8 @@ namespace vernier {
 /// The window system, and one window. Owns both; one at a time in a program. Not movable: callbacks point here.
 class Window {
  public:
-  /// Opens a window whose inside measures `size` screen coordinates, or less where the screen is smaller. Throws
-  /// Error(failed) without a display.
+  /// Makes a window, not yet to be seen, whose inside measures `size` screen coordinates, or less where the screen is
+  /// smaller. Throws Error(failed) without a display.
   Window(const std::string& title, glm::ivec2 size);
   ~Window();
   Window(const Window&) = delete;
@@ -35,6 +35,8 @@ class Window {
   void close();
   /// Pixels inside; 0 while minimised.
   glm::ivec2 size_px() const;
+  /// Opens it, if it is not open.
+  void show();
   /// When it was opened.
   std::chrono::steady_clock::time_point opened() const { return opened_; }
   /// Asks for `size` pixels inside.
@@ -49,7 +51,7 @@ class Window {
  private:
   GLFWwindow* window_ = nullptr;
   std::vector<std::string> drops_;
-  std::chrono::steady_clock::time_point opened_ = std::chrono::steady_clock::now();
+  std::chrono::steady_clock::time_point opened_{};
 };
 
 }  // namespace vernier
