@@ -28,10 +28,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 ViewWindow::ViewWindow(const ViewPlan& plan, Window& window, ViewedScene first)
-    : plan_(plan),
-      window_(window),
-      stage_(window, plan.device, {plan.settings.width, plan.settings.height}),
-      latency_(window.opened()) {
+    : plan_(plan), window_(window), stage_(window, plan.device, {plan.settings.width, plan.settings.height}) {
   state_.settings = plan.settings;
   state_.display.exposure_ev = plan.exposure_ev;
   state_.device = stage_.device().description().name;
