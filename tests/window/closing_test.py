@@ -12,6 +12,11 @@ class ClosingTest(WindowTest):
         self.assertEqual(view.end(), 0, f"{what}: {(self.folder / 'stderr.txt').read_text(encoding='utf-8')}")
         self.assertNotIn("validation", (self.folder / "stderr.txt").read_text(encoding="utf-8").lower(), what)
 
+    def start(self, *arguments):
+        view = View(self.screen, self.folder, SCENES / "every_effect.glb", "--size", "640x360", *arguments)
+        self.addCleanup(view.stop)
+        return view
+
     def wait_for_window(self):
         end = time.monotonic() + 60.0
         while not self.screen.windows():
@@ -23,14 +28,14 @@ class ClosingTest(WindowTest):
         # Before the first picture, while it is traced, and when all is done.
         for wait in (0.0, 0.1, 0.4, 1.0, 3.0):
             with self.subTest(wait=wait):
-                view = View(self.screen, self.folder, SCENES / "every_effect.glb", "--size", "640x360")
+                view = self.start()
                 window = self.wait_for_window()
                 time.sleep(wait)
                 self.screen.ask_to_close(window)
                 self.check_end(view, f"closed after {wait} s")
 
     def test_closed_while_the_camera_moves(self):
-        view = View(self.screen, self.folder, SCENES / "every_effect.glb", "--size", "640x360")
+        view = self.start()
         view.wait(lambda state: state["samples"] > 0, "a picture")
         window = self.wait_for_window()
         self.screen.user("mousemove", 200, 200, "mousedown", 1, "mousemove", 260, 220)
@@ -39,7 +44,7 @@ class ClosingTest(WindowTest):
         self.check_end(view, "closed in a drag")
 
     def test_interrupted_while_it_renders(self):
-        view = View(self.screen, self.folder, SCENES / "every_effect.glb", "--size", "640x360", "--spp", "256")
+        view = self.start("--spp", "256")
         view.wait(lambda state: state["samples"] > 0, "a picture")
         self.screen.point(200, 200)
         self.screen.key("r")

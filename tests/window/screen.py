@@ -135,7 +135,7 @@ class Screen:
         protocols = x11.XInternAtom(display, b"WM_PROTOCOLS", 0)
         delete = x11.XInternAtom(display, b"WM_DELETE_WINDOW", 0)
         client_message, all_of_it = 33, 192
-        event = struct.pack("@iLiPLLi5l", client_message, 0, 0, None, window, protocols, 32, delete, 0, 0, 0, 0)
+        event = struct.pack("@iLiPLLi5l", client_message, 0, 0, 0, window, protocols, 32, delete, 0, 0, 0, 0)
         x11.XSendEvent(display, ctypes.c_ulong(window), 0, ctypes.c_long(0), event.ljust(all_of_it, b"\0"))
         x11.XFlush(display)
         x11.XCloseDisplay(display)

@@ -88,15 +88,19 @@ class View:
         self.errors.flush()
         return Path(self.errors.name).read_text(encoding="utf-8")
 
+    def stop(self):
+        """Ends it, whatever it does."""
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+        self.errors.close()
+
     def end(self):
         """Exit code, once it has ended."""
         try:
             return self.process.wait(timeout=PATIENCE)
         finally:
-            if self.process.poll() is None:
-                self.process.kill()
-                self.process.wait()
-            self.errors.close()
+            self.stop()
 
 
 class WindowTest(unittest.TestCase):
