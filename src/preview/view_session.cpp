@@ -15,7 +15,7 @@ namespace {
 
 /// One coarse picture while the camera moves: input that comes right after one was begun waits for it, for its own and
 /// for two frames of the window, and still shows within 150 ms.
-constexpr double kInteractiveMs = 45.0;
+constexpr double kInteractiveMs = 35.0;
 /// Input waits for the submission under way too. Never changes a bit.
 constexpr double kLongestDispatchMs = 45.0;
 
