@@ -1,10 +1,10 @@
-#include "preview/camera_words.h"
-
 #include <gtest/gtest.h>
 
 #include <glm/gtc/matrix_transform.hpp>
 
+// Before what shaders read too: CLI11 has a NONE of its own.
 #include "cli/choose_camera.h"
+#include "preview/camera_words.h"
 
 namespace vernier {
 namespace {
