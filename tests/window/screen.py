@@ -12,7 +12,7 @@ from pathlib import Path
 
 SCREEN = (1280, 720)
 # A click is seen once a frame has passed with the button down; frames come every 0.1 s at the slowest when idle.
-SEEN = 0.25
+SEEN = 0.2
 
 
 def skip_without_xvfb():
