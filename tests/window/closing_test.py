@@ -17,10 +17,11 @@ class ClosingTest(WindowTest):
         self.addCleanup(view.stop)
         return view
 
-    def wait_for_window(self):
+    def wait_for_window(self, view):
         end = time.monotonic() + 60.0
         while not self.screen.windows():
-            self.assertLess(time.monotonic(), end, "no window")
+            self.assertIsNone(view.process.poll(), f"it ended by itself: {view.said()}")
+            self.assertLess(time.monotonic(), end, f"no window: {view.said()}")
             time.sleep(0.02)
         return self.screen.windows()[0]
 
@@ -29,7 +30,7 @@ class ClosingTest(WindowTest):
         for wait in (0.0, 0.3, 1.5):
             with self.subTest(wait=wait):
                 view = self.start()
-                window = self.wait_for_window()
+                window = self.wait_for_window(view)
                 time.sleep(wait)
                 self.screen.ask_to_close(window)
                 self.check_end(view, f"closed after {wait} s")
@@ -37,7 +38,7 @@ class ClosingTest(WindowTest):
     def test_closed_while_the_camera_moves(self):
         view = self.start()
         view.wait(lambda state: state["samples"] > 0, "a picture")
-        window = self.wait_for_window()
+        window = self.wait_for_window(view)
         self.screen.user("mousemove", 200, 200, "mousedown", 1, "mousemove", 260, 220)
         self.screen.ask_to_close(window)
         self.screen.user("mouseup", 1)
