@@ -15,6 +15,9 @@ std::string cost_text(const PanelState& state, const EffectReason& effect) {
 }
 
 void draw_effect(const ViewSession& session, const EffectReason& effect, PanelState& state, PanelActions& actions) {
+  // The reason belongs to the switch above it: closer to that than to the next one.
+  const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {spacing.x, spacing.y * 0.3f});
   bool on = effect.on;
   if (ImGui::Checkbox(effect.name.c_str(), &on)) {
     state.settings.effects = with_effect(session.effects(), session.automatic_effects(), effect.bit, on);
@@ -26,7 +29,12 @@ void draw_effect(const ViewSession& session, const EffectReason& effect, PanelSt
     ImGui::SameLine(ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(cost.c_str()).x);
     ImGui::TextUnformatted(cost.c_str());
   }
+  const float indent = ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+  ImGui::Indent(indent);
   quiet_text(effect.reason);
+  ImGui::Unindent(indent);
+  ImGui::PopStyleVar();
+  ImGui::Spacing();
 }
 
 }  // namespace
