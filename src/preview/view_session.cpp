@@ -176,9 +176,10 @@ void ViewSession::note(const RenderProgress& progress, const TraceStart& start) 
   picture_size_ = {settings_.width, settings_.height};
   whole_ = true;
   const auto samples = static_cast<std::uint32_t>(state_.samples_done);
-  if (samples == state_.samples_done && errors_.wants(samples)) {
-    errors_.add(develop(film_->read_sums(device_), film_->area()), samples, state_.seconds);
-  }
+  if (samples != state_.samples_done || !errors_.wants(samples)) return;
+  const DevelopedFilm developed = develop(film_->read_sums(device_), film_->area());
+  // In the middle of a pass the mean may be whole too.
+  if (developed.least_samples == samples) errors_.add(developed, samples, state_.seconds);
 }
 
 /// One sample in the middle of each pixel of a smaller picture.

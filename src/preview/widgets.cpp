@@ -20,6 +20,10 @@ std::string grouped(std::uint64_t number) {
   return digits;
 }
 
+std::string counted(std::uint64_t number, const char* thing) {
+  return grouped(number) + " " + thing + (number == 1 ? "" : "s");
+}
+
 std::string byte_text(std::uint64_t bytes) {
   const double amount = static_cast<double>(bytes);
   if (bytes >= 1000000000u) return format_text("%.2f GB", amount * 1e-9);

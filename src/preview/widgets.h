@@ -21,6 +21,8 @@ void note_place(WidgetPlaces& places, const std::string& name);
 
 /// `1 234 567`.
 std::string grouped(std::uint64_t number);
+/// `1 light`, `1 234 lights`.
+std::string counted(std::uint64_t number, const char* thing);
 /// `2.3 MB`, decimal.
 std::string byte_text(std::uint64_t bytes);
 /// printf into a string.
