@@ -47,6 +47,10 @@ std::uint64_t GpuScene::size_bytes() const {
   return sum;
 }
 
+void GpuScene::set_textures(const Device& device, const std::vector<std::uint32_t>& words) {
+  textures_.upload(device, std::as_bytes(std::span(words)));
+}
+
 void GpuScene::set_constants(const Device& device, const RenderConstants& constants,
                              const SteeringConstants& steering) {
   steering_ = steering;

@@ -40,7 +40,7 @@ DeviceLight device_light(const Light& light, const TracedSpace& space);
 /// Throws Error(usage) when the camera stands more than 2^40 scene extents away: there a pixel is wider than the scene.
 void set_camera(PackedScene& packed, const Camera& camera, const RenderSettings& settings);
 
-/// Sets what the settings decide: size, seed, samples, bounces, cutoff.
+/// Sets what the settings decide: size, seed, samples, bounces, cutoff, filters.
 void set_settings(PackedScene& packed, const RenderSettings& settings);
 
 }  // namespace vernier

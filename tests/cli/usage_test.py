@@ -12,6 +12,8 @@ BAD_OPTIONS = {
     "--max-bounces": ["1001", "-1", "x"],
     "--cutoff": ["-0.1", "1.5", "nan", "1/0", "x", "1/2/3"],
     "--accuracy": ["best", "Fast", ""],
+    "--filter": ["gauss", "Box", ""],
+    "--texture-filter": ["bilinear", ""],
     "--effects": ["shadow", "auto,", "auto,-fog", ","],
     "--tile": ["8", "0x8"],
     "--dispatch-ms": ["0", "-5", "inf", "x"],
