@@ -51,6 +51,7 @@ layout(set = 0, binding = BINDING_PATHS, scalar) buffer Paths { uvec4 path_block
 layout(set = 0, binding = BINDING_SAMPLES, scalar) buffer Samples { uvec4 sample_blocks[]; };
 layout(set = 0, binding = BINDING_PIXELS, scalar) readonly buffer Pixels { uint listed_pixels[]; };
 layout(set = 0, binding = BINDING_AOVS, scalar) buffer Aovs { uint aov_words[]; };
+layout(set = 0, binding = BINDING_DISPLAY, scalar) buffer Display { uint display_words[]; };
 
 // llvmpipe reads a word of a buffer lane by lane every time: there an invocation keeps copies from its start on.
 #ifdef LOADS_TEXELS
@@ -78,6 +79,8 @@ void store_path(uint i, uvec4 block) { path_blocks[i] = block; }
 uvec4 load_sample(uint i) { return sample_blocks[i]; }
 void store_sample(uint i, uvec4 block) { sample_blocks[i] = block; }
 void store_aov(uint i, uint word) { aov_words[i] = word; }
+uint load_aov(uint i) { return aov_words[i]; }
+void store_display(uint i, uint word) { display_words[i] = word; }
 uint load_pixel(uint i) { return listed_pixels[i]; }
 // Adds to a counter; 0 costs no memory traffic.
 void add_to_counter(uint i, uint amount) {

@@ -18,5 +18,6 @@
 #define BINDING_DISPATCH 13    // DispatchConstants
 #define BINDING_SAMPLES 14     // uvec4, SAMPLE_BLOCKS per job
 #define BINDING_PIXELS 15      // uint per listed pixel: y << 16 | x within the tile
+#define BINDING_DISPLAY 16     // uint per pixel of a window's picture: R8G8B8A8
 
 #endif

@@ -71,12 +71,16 @@ void look(Camera& camera, const glm::dvec3& eye, const glm::dvec3& forward, cons
                                         glm::dvec4(-forward, 0.0), glm::dvec4(eye, 1.0));
 }
 
+glm::dvec3 middle_of(const Scene& scene) {
+  const WorldBounds bounds = world_bounds(scene);
+  return bounds.lo * 0.5 + bounds.hi * 0.5;
+}
+
 void move_camera(Camera& camera, const Scene& scene, const SceneSettings& settings) {
   const glm::dvec3 eye = settings.eye.value_or(axis(camera, 3));
   glm::dvec3 forward = -axis(camera, 2);
   if (settings.eye || settings.target) {
-    const WorldBounds bounds = world_bounds(scene);
-    const glm::dvec3 target = settings.target.value_or(bounds.lo * 0.5 + bounds.hi * 0.5);
+    const glm::dvec3 target = settings.target ? *settings.target : middle_of(scene);
     forward = unit(target - eye);
     if (forward == glm::dvec3(0.0)) {
       throw Error(ErrorKind::usage,

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <functional>
+#include <string>
+#include <vector>
 
 namespace CLI {
 class App;
@@ -30,6 +32,8 @@ void add_merge_command(CLI::App& app, Command& chosen);
 void add_rerun_command(CLI::App& app, Command& chosen);
 /// `vernier devices`: what there is to render on.
 void add_devices_command(CLI::App& app, Command& chosen);
+/// `vernier view`: a window; `words` are those of the command line behind the program's name.
+void add_view_command(CLI::App& app, Command& chosen, std::vector<std::string> words);
 /// `vernier verify`: the numeric suite.
 void add_verify_command(CLI::App& app, Command& chosen);
 

@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
         "device, 5 device lost.");
     Command chosen;
     add_render_command(app, chosen);
+    add_view_command(app, chosen, {argv + 1, argv + argc});
     add_explain_command(app, chosen);
     add_cost_command(app, chosen);
     add_reference_command(app, chosen);

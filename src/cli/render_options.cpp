@@ -146,6 +146,23 @@ void add_filter_options(CLI::App& app, RenderArguments& arguments) {
       ->type_name("FILTER");
 }
 
+void add_aov_option(CLI::App& app, std::string& aov) {
+  app.add_option("--aov", aov,
+                 "further layers: depth (metres), position (metres), normal, shading_normal, uv, albedo, object_id, "
+                 "material_id, "
+                 "primitive_id, sample_count, cost (per sample); EXR holds them all, other formats make NAME.AOV.EXT "
+                 "(default: none)")
+      ->type_name("LIST");
+}
+
+void add_dispatch_options(CLI::App& app, RenderArguments& arguments) {
+  app.add_option("--tile", arguments.tile, "pixels of a submission; never changes a bit of the image (default: chosen)")
+      ->type_name("WxH");
+  app.add_option("--dispatch-ms", arguments.dispatch_ms,
+                 "time budget of one submission, milliseconds, 1 to 60000 (default: 100)")
+      ->type_name("N");
+}
+
 void add_render_options(CLI::App& app, RenderArguments& arguments) {
   add_size_option(app, arguments.size);
   app.add_option("--crop", arguments.crop,
@@ -155,22 +172,13 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--sample-range", arguments.sample_range,
                  "samples A to B-1 of each pixel, for merging (default: 0:spp)")
       ->type_name("A:B");
-  app.add_option("--aov", arguments.aov,
-                 "further layers: depth (metres), position (metres), normal, shading_normal, uv, albedo, object_id, "
-                 "material_id, "
-                 "primitive_id, sample_count, cost (per sample); EXR holds them all, other formats make NAME.AOV.EXT "
-                 "(default: none)")
-      ->type_name("LIST");
+  add_aov_option(app, arguments.aov);
   add_filter_options(app, arguments);
   add_accuracy_option(app, arguments.accuracy);
   add_effects_option(app, arguments.effects);
   // For tests: not in the help, and a pipeline of its own that is slower.
   app.add_flag("--count-effects", arguments.count_effects, "adds effect_runs and rays_by_depth to --json")->group("");
-  app.add_option("--tile", arguments.tile, "pixels of a submission; never changes a bit of the image (default: chosen)")
-      ->type_name("WxH");
-  app.add_option("--dispatch-ms", arguments.dispatch_ms,
-                 "time budget of one submission, milliseconds, 1 to 60000 (default: 100)")
-      ->type_name("N");
+  add_dispatch_options(app, arguments);
   app.add_option("--time-limit", arguments.time_limit,
                  "stop after S seconds with the samples done by then (default: none)")
       ->type_name("S");

@@ -52,6 +52,12 @@ void add_accuracy_option(CLI::App& app, std::string& accuracy);
 /// Adds --effects.
 void add_effects_option(CLI::App& app, std::string& effects);
 
+/// Adds --aov.
+void add_aov_option(CLI::App& app, std::string& aov);
+
+/// Adds --tile and --dispatch-ms, which change no bit.
+void add_dispatch_options(CLI::App& app, RenderArguments& arguments);
+
 /// Adds all options of RenderArguments to `app`. `arguments` outlives the parse.
 void add_render_options(CLI::App& app, RenderArguments& arguments);
 

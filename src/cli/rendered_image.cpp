@@ -57,10 +57,12 @@ RenderResult render_with_progress(const Device& device, const SceneSetup& setup,
   }
 }
 
-/// The recipe and what else the metadata tell of the finished image.
-Metadata describe_image(const RenderPlan& plan, const RenderResult& result, Metadata recipe) {
+}  // namespace
+
+std::map<std::string, std::string> describe_image(const RenderPlan& plan, const ImageFile& image,
+                                                  const RenderStatistics& statistics,
+                                                  std::map<std::string, std::string> recipe) {
   const std::uint32_t samples = plan.settings.sample_end - plan.settings.sample_begin;
-  const RenderStatistics& statistics = result.statistics;
   if (statistics.error) recipe["vernier:error_estimate"] = error_text(*statistics.error);
   const bool reached =
       plan.settings.error_target && statistics.error && statistics.error->bound() <= *plan.settings.error_target;
@@ -68,12 +70,10 @@ Metadata describe_image(const RenderPlan& plan, const RenderResult& result, Meta
     recipe["vernier:stopped_at"] = std::to_string(statistics.samples_done);
   }
   if (plan.display.exposure_ev != 0.0f) recipe["vernier:exposure"] = plan.exposure;
-  const std::string legend = cost_legend(result.image);
+  const std::string legend = cost_legend(image);
   if (!legend.empty()) recipe["vernier:cost_legend"] = legend;
   return recipe;
 }
-
-}  // namespace
 
 RenderedImage render_planned(const RenderPlan& plan) {
   const std::optional<SavedFilm> resumed = read_resumed(plan);
@@ -89,7 +89,7 @@ RenderedImage render_planned(const RenderPlan& plan) {
   RenderResult result = render_with_progress(device.device(), setup, plan, recipe, resumed ? &*resumed : nullptr);
   print_warnings(result.statistics.warnings);
 
-  result.image.metadata.merge(describe_image(plan, result, recipe));
+  result.image.metadata.merge(describe_image(plan, result.image, result.statistics, recipe));
   RenderReport report{setup.scene.source, description,          plan.settings, std::move(result.statistics),
                       setup.load_ms,      setup.scene.warnings, device.store()};
   report.warnings.insert(report.warnings.end(), report.statistics.warnings.begin(), report.statistics.warnings.end());

@@ -54,6 +54,7 @@ SceneSetup set_up_scene(const SceneSettings& settings, double aspect) {
   SceneSetup setup;
   setup.scene = load_input(settings);
   setup.camera = choose_camera(setup.scene, settings, aspect);
+  setup.default_lights = setup.scene.lights.empty() && settings.lights.empty();
   set_lighting(setup.scene, setup.camera, settings);
   setup.load_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   return setup;

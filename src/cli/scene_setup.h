@@ -9,7 +9,8 @@ namespace vernier {
 struct SceneSetup {
   Scene scene;
   Camera camera;
-  double load_ms = 0.0;  ///< wall time of reading the files
+  bool default_lights = false;  ///< they hang on the camera: neither file nor command line brings any
+  double load_ms = 0.0;         ///< wall time of reading the files
 };
 
 /// Loads the scene that `settings` name (the built-in one without a name), chooses the camera for an image of

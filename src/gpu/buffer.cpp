@@ -172,12 +172,16 @@ void Buffer::download(const Device& device, std::span<std::byte> bytes, std::uin
 }
 
 void Buffer::clear(const Device& device) {
+  clear_front(device, size_bytes_);
+}
+
+void Buffer::clear_front(const Device& device, std::uint64_t bytes) {
+  const std::uint64_t count = std::min(bytes, size_bytes_);
   if (!mapped_.empty()) {
-    std::memset(mapped_.data(), 0, mapped_.size());
+    std::memset(mapped_.data(), 0, count);
     return;
   }
-  run_transfer(device,
-               [&](const vk::raii::CommandBuffer& commands) { commands.fillBuffer(*buffer_, 0, VK_WHOLE_SIZE, 0); });
+  run_transfer(device, [&](const vk::raii::CommandBuffer& commands) { commands.fillBuffer(*buffer_, 0, count, 0); });
 }
 
 }  // namespace vernier

@@ -43,6 +43,8 @@ class Buffer {
   void download(const Device& device, std::span<std::byte> bytes, std::uint64_t offset_bytes = 0) const;
   /// Fills the buffer with zeros; waits.
   void clear(const Device& device);
+  /// The same for its first `bytes`, a multiple of 4 and at least 4, or all of it where it is smaller.
+  void clear_front(const Device& device, std::uint64_t bytes);
 
  private:
   std::uint64_t size_bytes_ = 0;

@@ -126,7 +126,7 @@ std::vector<DeviceDescription> list_devices(const VulkanInstance& instance) {
 }
 
 Device::Device(const VulkanInstance& instance, const DeviceDescription& description,
-               std::span<const std::byte> compiled_pipelines)
+               std::span<const std::byte> compiled_pipelines, const std::vector<const char*>& extensions)
     : description_(description) {
   if (!description.usable) {
     throw Error(ErrorKind::no_device, "device " + std::to_string(description.index) + " (" + description.name +
@@ -144,7 +144,7 @@ Device::Device(const VulkanInstance& instance, const DeviceDescription& descript
     vk::PhysicalDeviceFeatures2 features;
     features.features.shaderFloat64 = description.float64 ? VK_TRUE : VK_FALSE;
     features.pNext = &vulkan_12;
-    vk::DeviceCreateInfo create({}, queue);
+    vk::DeviceCreateInfo create({}, queue, {}, extensions);
     create.pNext = &features;
     device_ = vk::raii::Device(physical_, create);
     queue_ = vk::raii::Queue(device_, queue_family_, 0);

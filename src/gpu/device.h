@@ -49,9 +49,10 @@ DeviceDescription choose_device(const std::vector<DeviceDescription>& devices, c
 class Device {
  public:
   /// Opens `description`, which list_devices(instance) gave. `instance` outlives the device. `compiled_pipelines`: what
-  /// a device of the same pipeline_key gave before; a driver that does not want it compiles anew.
+  /// a device of the same pipeline_key gave before; a driver that does not want it compiles anew. `extensions`: names
+  /// of device extensions that a window asks for. Throws Error(no_device) where the device is not usable.
   Device(const VulkanInstance& instance, const DeviceDescription& description,
-         std::span<const std::byte> compiled_pipelines = {});
+         std::span<const std::byte> compiled_pipelines = {}, const std::vector<const char*>& extensions = {});
 
   const DeviceDescription& description() const { return description_; }
   const vk::raii::PhysicalDevice& physical() const { return physical_; }

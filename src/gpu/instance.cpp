@@ -36,26 +36,29 @@ bool environment_asks_for_validation() {
   return value != nullptr && std::strcmp(value, "1") == 0;
 }
 
-vk::raii::Instance create_instance(const vk::raii::Context& context, bool validation) {
+vk::raii::Instance create_instance(const vk::raii::Context& context, bool validation,
+                                   std::vector<const char*> extensions) {
   const vk::ApplicationInfo application("vernier", 1, "vernier", 1, VK_API_VERSION_1_2);
   vk::InstanceCreateInfo create({}, &application);
   const std::vector<const char*> layers{kValidationLayer};
-  const std::vector<const char*> extensions{VK_EXT_DEBUG_UTILS_EXTENSION_NAME,
-                                            VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME};
   const vk::ValidationFeatureEnableEXT synchronization = vk::ValidationFeatureEnableEXT::eSynchronizationValidation;
   const vk::ValidationFeaturesEXT features(synchronization);
   if (validation) {
-    create.setPEnabledLayerNames(layers).setPEnabledExtensionNames(extensions).setPNext(&features);
+    extensions.push_back(VK_EXT_DEBUG_UTILS_EXTENSION_NAME);
+    extensions.push_back(VK_EXT_VALIDATION_FEATURES_EXTENSION_NAME);
+    create.setPEnabledLayerNames(layers).setPNext(&features);
   }
+  create.setPEnabledExtensionNames(extensions);
   return vk::raii::Instance(context, create);
 }
 
 }  // namespace
 
 // A try block around the whole constructor, since the loader is opened by a member.
-VulkanInstance::VulkanInstance(bool validation) try : log_(std::make_unique<MessageLog>()) {
+VulkanInstance::VulkanInstance(bool validation, const std::vector<const char*>& extensions) try
+    : log_(std::make_unique<MessageLog>()) {
   const bool validate = validation || environment_asks_for_validation();
-  instance_ = create_instance(context_, validate);
+  instance_ = create_instance(context_, validate, extensions);
   if (!validate) return;
   using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
   using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;

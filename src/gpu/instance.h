@@ -12,8 +12,9 @@ class VulkanInstance {
  public:
   /// `validation` turns the Khronos validation layer on (with synchronisation checks); its messages are collected.
   /// The environment variable VERNIER_VALIDATION=1 does the same for any caller.
-  /// Throws Error(no_device) without a loader or driver, or when validation is asked for and not installed.
-  explicit VulkanInstance(bool validation = false);
+  /// `extensions`: names of instance extensions that a window asks for.
+  /// Throws Error(no_device) without a loader, driver or extension, or when validation is asked for and not installed.
+  explicit VulkanInstance(bool validation = false, const std::vector<const char*>& extensions = {});
   VulkanInstance(VulkanInstance&& other) noexcept;
   VulkanInstance& operator=(VulkanInstance&&) = delete;
   ~VulkanInstance();

@@ -37,7 +37,7 @@ std::vector<std::uint32_t> listed_pixels(const ErrorMap& errors, const std::vect
 bool trace_blocks(TileTracer& tracer, const Film& film, const ErrorMap& errors,
                   const std::vector<std::uint32_t>& blocks, const SamplePass& range,
                   const std::function<bool()>& stop) {
-  for (const PixelRect& tile : tracer.tiles()) {
+  for (const PixelRect& tile : tracer.tiles(film.area())) {
     const PixelRect in_film{tile.x - film.area().x, tile.y - film.area().y, tile.width, tile.height};
     const std::vector<std::uint32_t> pixels = listed_pixels(errors, blocks, in_film);
     if (pixels.empty()) continue;

@@ -47,6 +47,18 @@ std::uint64_t Film::size_bytes() const {
   return sum;
 }
 
+void Film::clear(const Device& device) {
+  for (Band& band : bands_) band.sums.clear(device);
+}
+
+void Film::clear_rows(const Device& device, int row_count) {
+  const std::uint64_t row_bytes = static_cast<std::uint64_t>(area_.width) * FILM_WORDS * 4;
+  for (Band& band : bands_) {
+    if (band.first_row >= row_count) return;
+    band.sums.clear_front(device, row_bytes * static_cast<std::uint64_t>(row_count - band.first_row));
+  }
+}
+
 std::vector<std::uint32_t> Film::read_sums(const Device& device) const {
   return read_bands(device, bands_, static_cast<std::size_t>(area_.width) * FILM_WORDS, area_.height, &Band::sums);
 }
@@ -69,6 +81,24 @@ std::uint64_t Film::aov_bytes(const PixelRect& area) {
 
 std::vector<std::uint32_t> Film::read_aovs(const Device& device) const {
   return read_bands(device, bands_, static_cast<std::size_t>(area_.width) * AOV_WORDS, area_.height, &Band::aovs);
+}
+
+std::vector<std::uint32_t> Film::read_words(const Device& device, int x, int y, Buffer Band::*member,
+                                            std::size_t count) const {
+  const Band& band = bands_.at(static_cast<std::size_t>(y / band_height_));
+  const auto pixel = static_cast<std::uint64_t>(y - band.first_row) * static_cast<std::uint64_t>(area_.width) +
+                     static_cast<std::uint64_t>(x);
+  std::vector<std::uint32_t> words(count);
+  (band.*member).download(device, std::as_writable_bytes(std::span(words)), pixel * count * sizeof(std::uint32_t));
+  return words;
+}
+
+std::vector<std::uint32_t> Film::read_pixel(const Device& device, int x, int y) const {
+  return read_words(device, x, y, &Band::sums, FILM_WORDS);
+}
+
+std::vector<std::uint32_t> Film::read_pixel_aovs(const Device& device, int x, int y) const {
+  return read_words(device, x, y, &Band::aovs, AOV_WORDS);
 }
 
 }  // namespace vernier

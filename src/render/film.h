@@ -36,6 +36,10 @@ class Film {
 
   /// What room for the AOVs of `area` takes.
   static std::uint64_t aov_bytes(const PixelRect& area);
+  /// Takes all samples out; waits. AOVs stay.
+  void clear(const Device& device);
+  /// The same for the first `row_count` rows.
+  void clear_rows(const Device& device, int row_count);
   /// Words per pixel [height][width][FILM_WORDS] of the sums. Waits for the device.
   std::vector<std::uint32_t> read_sums(const Device& device) const;
   /// Replaces the sums by `words`, as many as read_sums gives; waits. Throws std::logic_error for another number.
@@ -43,7 +47,15 @@ class Film {
   /// Words per pixel [height][width][AOV_WORDS]. Waits for the device. The film was made with AOVs.
   std::vector<std::uint32_t> read_aovs(const Device& device) const;
 
+  /// The words of one pixel, counted from the upper left of the film: FILM_WORDS of its sums. Waits.
+  std::vector<std::uint32_t> read_pixel(const Device& device, int x, int y) const;
+  /// Its AOV_WORDS. The film was made with AOVs.
+  std::vector<std::uint32_t> read_pixel_aovs(const Device& device, int x, int y) const;
+
  private:
+  std::vector<std::uint32_t> read_words(const Device& device, int x, int y, Buffer Band::*member,
+                                        std::size_t count) const;
+
   PixelRect area_;
   int band_height_ = 0;
   std::vector<Band> bands_;

@@ -57,4 +57,8 @@ void GpuScene::set_constants(const Device& device, const RenderConstants& consta
   constants_.upload(device, std::as_bytes(std::span(&constants, 1)));
 }
 
+void GpuScene::set_lights(const Device& device, const std::vector<std::uint32_t>& lights) {
+  lights_.upload(device, std::as_bytes(std::span(lights)));
+}
+
 }  // namespace vernier

@@ -32,6 +32,8 @@ class GpuScene {
   void set_constants(const Device& device, const RenderConstants& constants, const SteeringConstants& steering);
   /// Replaces the words of the textures, as many as before (their filters).
   void set_textures(const Device& device, const std::vector<std::uint32_t>& words);
+  /// Replaces the lights by as many others, in device layout.
+  void set_lights(const Device& device, const std::vector<std::uint32_t>& lights);
   /// What every dispatch carries.
   const SteeringConstants& steering() const { return steering_; }
 

@@ -24,15 +24,6 @@ bool lets_light_pass(const Material& material) {
   return material.alpha_mode != AlphaMode::opaque || t.x > 0.0f || t.y > 0.0f || t.z > 0.0f;
 }
 
-std::vector<std::uint32_t> pack_lights(const Scene& scene, const TracedSpace& space) {
-  std::vector<std::uint32_t> words(scene.lights.size() * sizeof(DeviceLight) / 4);
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    const DeviceLight light = device_light(scene.lights[i], space);
-    std::memcpy(words.data() + i * sizeof(DeviceLight) / 4, &light, sizeof(light));
-  }
-  return words;
-}
-
 void set_environment(PackedScene& packed, const Scene& scene) {
   RenderConstants& constants = packed.constants;
   const Environment& environment = scene.environment;
@@ -76,6 +67,15 @@ DeviceLight device_light(const Light& light, const TracedSpace& space) {
   return device;
 }
 
+std::vector<std::uint32_t> pack_lights(const std::vector<Light>& lights, const TracedSpace& space) {
+  std::vector<std::uint32_t> words(lights.size() * sizeof(DeviceLight) / 4);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const DeviceLight light = device_light(lights[i], space);
+    std::memcpy(words.data() + i * sizeof(DeviceLight) / 4, &light, sizeof(light));
+  }
+  return words;
+}
+
 PackedScene pack_scene(const Scene& scene, unsigned thread_count) {
   PackedScene packed;
   const auto bake_start = std::chrono::steady_clock::now();
@@ -94,7 +94,7 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count) {
   packed.triangle_ids = std::move(baked.triangle_ids);
   packed.vertices = std::move(baked.vertices);
   packed.materials = pack_materials(scene, packed.space.metres_per_unit);
-  packed.lights = pack_lights(scene, packed.space);
+  packed.lights = pack_lights(scene.lights, packed.space);
   PackedTextures textures = pack_textures(scene);
   packed.textures = std::move(textures.textures);
   packed.texels = std::move(textures.texels);

@@ -36,6 +36,9 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count);
 /// `light` in device layout.
 DeviceLight device_light(const Light& light, const TracedSpace& space);
 
+/// `lights` in device layout, one after the other.
+std::vector<std::uint32_t> pack_lights(const std::vector<Light>& lights, const TracedSpace& space);
+
 /// Sets the camera of `packed` for an image of settings.width x settings.height.
 /// Throws Error(usage) when the camera stands more than 2^40 scene extents away: there a pixel is wider than the scene.
 void set_camera(PackedScene& packed, const Camera& camera, const RenderSettings& settings);

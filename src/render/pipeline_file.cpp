@@ -117,10 +117,11 @@ std::string write_pipelines(const std::string& file, const std::string& pipeline
   return std::to_string(bytes.size()) + " bytes written";
 }
 
-CachedDevice::CachedDevice(const VulkanInstance& instance, const DeviceDescription& description, std::string file)
+CachedDevice::CachedDevice(const VulkanInstance& instance, const DeviceDescription& description, std::string file,
+                           const std::vector<const char*>& extensions)
     : file_(std::move(file)),
       stored_(read_pipelines(file_, description.pipeline_key)),
-      device_(instance, description, stored_.bytes) {}
+      device_(instance, description, stored_.bytes, extensions) {}
 
 std::string CachedDevice::store() const {
   if (file_.empty()) return stored_.note;

@@ -41,7 +41,9 @@ std::string write_pipelines(const std::string& file, const std::string& pipeline
 class CachedDevice {
  public:
   /// Opens `description`, which list_devices(instance) gave, with what `file` holds. `instance` outlives it.
-  CachedDevice(const VulkanInstance& instance, const DeviceDescription& description, std::string file);
+  /// `extensions` as of Device.
+  CachedDevice(const VulkanInstance& instance, const DeviceDescription& description, std::string file,
+               const std::vector<const char*>& extensions = {});
 
   const Device& device() const { return device_; }
   /// Writes the file, if pipelines have come in. Returns what came of reading and writing, for --verbose: never an

@@ -7,12 +7,11 @@
 #include "error.h"
 #include "render/film.h"
 #include "render/film_file.h"
-#include "render/film_layer.h"
 #include "render/gpu_scene.h"
 #include "render/pack_scene.h"
+#include "render/read_film.h"
 #include "render/trace_aovs.h"
 #include "render/trace_film.h"
-#include "shared/film_layout.h"
 
 namespace vernier {
 namespace {
@@ -41,11 +40,6 @@ PixelRect image_area(const RenderSettings& settings) {
 
 bool wants(const RenderSettings& settings, const char* aov) {
   return std::find(settings.aovs.begin(), settings.aovs.end(), aov) != settings.aovs.end();
-}
-
-bool wants_geometry(const RenderSettings& settings) {
-  return std::any_of(settings.aovs.begin(), settings.aovs.end(),
-                     [](const std::string& name) { return name != "cost" && name != "sample_count"; });
 }
 
 void describe_scene(const Scene& scene, const PackedScene& packed, RenderStatistics& statistics) {
@@ -123,31 +117,6 @@ void resume(const Device& device, const SavedFilm& saved, Film& film) {
   if (!saved.sums.empty()) film.write_sums(device, saved.sums);
 }
 
-RenderResult read_film(const Device& device, const Film& film, const RenderSettings& settings,
-                       RenderStatistics statistics) {
-  const PixelRect& area = film.area();
-  const std::vector<std::uint32_t> sums = film.read_sums(device);
-  DevelopedFilm developed = develop(sums, area);
-  statistics.non_finite_pixels = developed.non_finite_pixels;
-  statistics.first_non_finite = developed.first_non_finite;
-  statistics.samples_done = developed.least_samples;
-  statistics.mean_samples = developed.mean_samples;
-  const std::vector<std::uint32_t> aov_words =
-      wants_geometry(settings) ? film.read_aovs(device) : std::vector<std::uint32_t>{};
-  std::vector<Layer> layers = aov_layers(settings.aovs, aov_words, developed);
-  layers.insert(layers.begin(), Layer{"", {"R", "G", "B", "A"}, std::move(developed.color)});
-  if (settings.film_layer) layers.push_back(film_layer(sums));
-  return {.image = {.width = area.width,
-                    .height = area.height,
-                    .x = area.x,
-                    .y = area.y,
-                    .full_width = settings.width,
-                    .full_height = settings.height,
-                    .layers = std::move(layers),
-                    .metadata = {}},
-          .statistics = std::move(statistics)};
-}
-
 }  // namespace
 
 RenderResult render_image(const Device& device, const Scene& scene, const Camera& camera,
@@ -192,7 +161,8 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   }
   describe_trace(FilmTracer(device, gpu_scene, loads, specialization, scheduled, film).trace(callbacks), settings,
                  statistics);
-  return read_film(device, film, settings, std::move(statistics));
+  ImageFile image = read_film(device, film, settings, statistics);
+  return {.image = std::move(image), .statistics = std::move(statistics)};
 }
 
 }  // namespace vernier

@@ -24,8 +24,10 @@ class TileTracer {
   TileTracer(const Device& device, const GpuScene& scene, SceneLoads loads, const TraceSpecialization& specialization,
              const RenderSettings& settings, Film& film);
 
-  /// The film's area in tiles that suit the buffers.
-  std::vector<PixelRect> tiles() const { return schedule_tiles(film_.area(), tile_, film_.band_height()); }
+  /// `area`, which begins at the film's upper left pixel, in tiles that suit the buffers.
+  std::vector<PixelRect> tiles(const PixelRect& area) const {
+    return schedule_tiles(area, tile_, film_.band_height());
+  }
   /// Pixels of a tile that is whole.
   glm::ivec2 tile() const { return tile_; }
   /// Samples of a pass at most.

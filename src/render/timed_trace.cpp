@@ -7,13 +7,6 @@
 namespace vernier {
 namespace {
 
-PackedScene packed_scene(const Scene& scene, const Camera& camera, const RenderSettings& settings) {
-  PackedScene packed = pack_scene(scene, 0);
-  set_camera(packed, camera, settings);
-  set_settings(packed, settings);
-  return packed;
-}
-
 RayCounts difference(const RayCounts& after, const RayCounts& before) {
   return {.primary = after.primary - before.primary,
           .shadow = after.shadow - before.shadow,
@@ -24,12 +17,15 @@ RayCounts difference(const RayCounts& after, const RayCounts& before) {
 }  // namespace
 
 StagedScene::StagedScene(const Device& device, const Scene& scene, const Camera& camera, const RenderSettings& settings)
+    : StagedScene(device, pack_scene(scene, 0), camera, settings) {}
+
+StagedScene::StagedScene(const Device& device, PackedScene packed, const Camera& camera, const RenderSettings& settings)
     : device_(device),
       settings_(settings),
       loads_(choose_scene_loads(device.description())),
-      packed_(packed_scene(scene, camera, settings)),
+      packed_(std::move(packed)),
       gpu_scene_(device, packed_, loads_) {
-  gpu_scene_.set_constants(device, packed_.constants, packed_.steering);
+  set_view(camera, settings);
 }
 
 TraceSpecialization StagedScene::specialization(std::uint32_t effects) const {
@@ -49,6 +45,16 @@ void StagedScene::set_settings(const RenderSettings& settings) {
   vernier::set_settings(packed_, settings);
   gpu_scene_.set_textures(device_, packed_.textures);
   gpu_scene_.set_constants(device_, packed_.constants, packed_.steering);
+}
+
+void StagedScene::set_view(const Camera& camera, const RenderSettings& settings) {
+  set_camera(packed_, camera, settings);
+  set_settings(settings);
+}
+
+void StagedScene::set_lights(const std::vector<Light>& lights) {
+  packed_.lights = pack_lights(lights, packed_.space);
+  gpu_scene_.set_lights(device_, packed_.lights);
 }
 
 TimedTrace::TimedTrace(const StagedScene& scene, const TraceSpecialization& specialization,

@@ -17,6 +17,8 @@ class StagedScene {
  public:
   /// Packs and uploads `scene`, which has passed validate_scene, seen through `camera`; `device` outlives it.
   StagedScene(const Device& device, const Scene& scene, const Camera& camera, const RenderSettings& settings);
+  /// The same for a scene that pack_scene has packed, on whatever thread.
+  StagedScene(const Device& device, PackedScene packed, const Camera& camera, const RenderSettings& settings);
 
   const Device& device() const { return device_; }
   const PackedScene& packed() const { return packed_; }
@@ -29,6 +31,10 @@ class StagedScene {
   /// Traces begun from now on have the seed, samples, bounces, cutoff and filters of `settings`, whose size is the
   /// first one's.
   void set_settings(const RenderSettings& settings);
+  /// Traces begun from now on see through `camera` with `settings`, of any size.
+  void set_view(const Camera& camera, const RenderSettings& settings);
+  /// Traces begun from now on have these lights, as many as before.
+  void set_lights(const std::vector<Light>& lights);
 
  private:
   const Device& device_;

@@ -1,6 +1,6 @@
 #include "render/trace_aovs.h"
 
-#include <optional>
+#include <algorithm>
 
 #include "render/tile_dispatch.h"
 #include "render/tile_schedule.h"
@@ -8,29 +8,46 @@
 
 namespace vernier {
 
-PipelineTime trace_aovs(const Device& device, const GpuScene& scene, SceneLoads loads,
-                        const TraceSpecialization& specialization, Film& film) {
-  Submitter submitter(device);
-  const Buffer unused(device, 0, BufferUse::storage);
-  Buffer dispatch_values = dispatch_buffer(device);
-  std::optional<ComputePipeline> pipeline;
+AovTracer::AovTracer(const Device& device, const GpuScene& scene, SceneLoads loads,
+                     const TraceSpecialization& specialization, Film& film)
+    : scene_(scene),
+      film_(film),
+      submitter_(device),
+      unused_(device, 0, BufferUse::storage),
+      dispatch_values_(dispatch_buffer(device)) {
   for (Film::Band& band : film.bands()) {
     std::vector<Binding> bindings = scene.bindings();
-    bindings.insert(bindings.end(), {{BINDING_FILM, &unused},
-                                     {BINDING_COUNTERS, &unused},
-                                     {BINDING_PATHS, &unused},
+    bindings.insert(bindings.end(), {{BINDING_FILM, &unused_},
+                                     {BINDING_COUNTERS, &unused_},
+                                     {BINDING_PATHS, &unused_},
                                      {BINDING_AOVS, &band.aovs},
-                                     {BINDING_DISPATCH, &dispatch_values}});
-    if (!pipeline) pipeline = make_trace_pipeline(device, Kernel::primary, loads, specialization, bindings);
-    const BindingSet set(device, *pipeline, bindings);
-    const PixelRect rows{film.area().x, film.area().y + band.first_row, film.area().width, band.row_count};
+                                     {BINDING_DISPATCH, &dispatch_values_}});
+    if (bindings_.empty()) {
+      pipeline_ = make_trace_pipeline(device, Kernel::primary, loads, specialization, bindings);
+    }
+    bindings_.emplace_back(device, pipeline_, bindings);
+  }
+}
+
+void AovTracer::trace(const PixelRect& area) {
+  for (std::size_t index = 0; index < bindings_.size(); ++index) {
+    const Film::Band& band = film_.bands()[index];
+    const int row_count = std::min(band.row_count, area.height - band.first_row);
+    if (row_count <= 0) return;
+    const PixelRect rows{area.x, area.y + band.first_row, area.width, row_count};
     for (const PixelRect& tile : schedule_tiles(rows, glm::ivec2(kTile), rows.height)) {
-      set_dispatch(dispatch_values, tile_constants(scene, tile, film.area(), band));
-      const Dispatch dispatch = tile_dispatch(*pipeline, set, tile);
-      submitter.run(std::span(&dispatch, 1));
+      set_dispatch(dispatch_values_, tile_constants(scene_, tile, film_.area(), band));
+      const Dispatch dispatch = tile_dispatch(pipeline_, bindings_[index], tile);
+      submitter_.run(std::span(&dispatch, 1));
     }
   }
-  return {"primary", pipeline ? pipeline->compile_ms() : 0.0};
+}
+
+PipelineTime trace_aovs(const Device& device, const GpuScene& scene, SceneLoads loads,
+                        const TraceSpecialization& specialization, Film& film) {
+  AovTracer tracer(device, scene, loads, specialization, film);
+  tracer.trace(film.area());
+  return {"primary", tracer.compile_ms()};
 }
 
 }  // namespace vernier

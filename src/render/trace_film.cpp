@@ -40,17 +40,16 @@ void add_before(const SavedFilm& before, TraceStatistics& statistics) {
 /// One trace into a film, with its schedule and where it stands.
 class TraceRun {
  public:
-  TraceRun(const Device& device, TileTracer& tracer, const Film& film, const RenderSettings& settings,
-           const RenderCallbacks& callbacks)
+  TraceRun(const Device& device, TileTracer& tracer, const Film& film, const PixelRect& area,
+           const RenderSettings& settings, const RenderCallbacks& callbacks, const TracePosition& position)
       : device_(device),
         tracer_(tracer),
         film_(film),
         settings_(settings),
         callbacks_(callbacks),
-        tiles_(tracer.tiles()),
+        tiles_(tracer.tiles(area)),
         passes_(schedule_passes(settings.sample_begin, settings.sample_end, tracer.most_samples())),
-        position_(callbacks.resumed ? callbacks.resumed->position
-                                    : TracePosition{tracer.tile(), settings.sample_begin, 0}) {
+        position_(position) {
     check_position();
     share_before_ = share();
   }
@@ -67,6 +66,8 @@ class TraceRun {
     const bool finished = trace_passes();
     if (checkpoint && !finished) checkpoint->save(device_, film_, position_, statistics());
   }
+
+  const TracePosition& position() const { return position_; }
 
   TraceStatistics statistics() const {
     TraceStatistics statistics = tracer_.statistics();
@@ -154,9 +155,27 @@ FilmTracer::~FilmTracer() = default;
 FilmTracer::FilmTracer(FilmTracer&&) noexcept = default;
 
 TraceStatistics FilmTracer::trace(const RenderCallbacks& callbacks) {
-  TraceRun run(device_, *tracer_, film_, settings_, callbacks);
+  return trace_part(film_.area(), settings_, callbacks);
+}
+
+TraceStatistics FilmTracer::trace_part(const PixelRect& area, const RenderSettings& settings,
+                                       const RenderCallbacks& callbacks) {
+  const TracePosition start = callbacks.resumed ? callbacks.resumed->position : start_of(settings);
+  TraceRun run(device_, *tracer_, film_, area, settings, callbacks, start);
   run.trace();
   return run.statistics();
+}
+
+TraceStatistics FilmTracer::trace_on(TracePosition& position, const RenderSettings& settings,
+                                     const RenderCallbacks& callbacks) {
+  TraceRun run(device_, *tracer_, film_, film_.area(), settings, callbacks, position);
+  run.trace();
+  position = run.position();
+  return run.statistics();
+}
+
+TracePosition FilmTracer::start_of(const RenderSettings& settings) const {
+  return {tracer_->tile(), settings.sample_begin, 0};
 }
 
 }  // namespace vernier

@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "render/film.h"
+#include "render/film_file.h"
 #include "render/gpu_scene.h"
 #include "render/render_image.h"
 #include "render/trace_pipeline.h"
@@ -30,6 +31,16 @@ class FilmTracer {
   /// Error(device_lost), Error(failed) when a single ray takes more steps than the driver lets a shader take, and
   /// Error(refused) for a resumed film of another schedule.
   TraceStatistics trace(const RenderCallbacks& callbacks);
+  /// The same for the samples of `settings` in the pixels `area` at the upper left of the film; the device has been told
+  /// of settings of that size. Without an error target.
+  TraceStatistics trace_part(const PixelRect& area, const RenderSettings& settings, const RenderCallbacks& callbacks);
+
+  /// A trace that can be stopped and taken up again: goes on from `position`, which is start_of(settings) at first, and
+  /// leaves there how far it came. Tiles that were stopped half-way are traced anew, so that the bits are those of one
+  /// trace. The film is not emptied in between.
+  TraceStatistics trace_on(TracePosition& position, const RenderSettings& settings, const RenderCallbacks& callbacks);
+  /// Nothing of the samples of `settings` is done.
+  TracePosition start_of(const RenderSettings& settings) const;
 
   /// From now on traces take the samples of `settings`: any number of them, of the same area, and an error target only
   /// where the specialization lists pixels.

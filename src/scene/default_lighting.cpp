@@ -36,12 +36,14 @@ bool is_untouched(const Environment& environment) {
 
 }  // namespace
 
+std::vector<Light> default_lights(const Camera& camera) {
+  return {directional("default key", camera, kKeySide, kKeyRadiance),
+          directional("default fill", camera, kFillSide, kFillRadiance)};
+}
+
 void add_default_lighting(Scene& scene, const Camera& camera) {
   const bool brings_lights = !scene.lights.empty();
-  if (!brings_lights) {
-    scene.lights.push_back(directional("default key", camera, kKeySide, kKeyRadiance));
-    scene.lights.push_back(directional("default fill", camera, kFillSide, kFillRadiance));
-  }
+  if (!brings_lights) scene.lights = default_lights(camera);
   if (!is_untouched(scene.environment)) return;
   scene.environment.sky = brings_lights ? kDimSky : kSky;
   scene.environment.ground = brings_lights ? kDimGround : kGround;

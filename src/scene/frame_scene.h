@@ -26,6 +26,9 @@ Camera frame_camera(const WorldBounds& bounds, double vertical_fov, double aspec
 /// seen from outside is seen through the side where it is open (choose_view_side).
 Camera frame_scene(const Scene& scene, double vertical_fov, double aspect);
 
+/// The lights of add_default_lighting for a scene that brings none, seen through `camera`: always as many.
+std::vector<Light> default_lights(const Camera& camera);
+
 /// Adds what a scene without lights and environment is shown with: a directional key from above and beside `camera`,
 /// a weaker fill from its other side and a soft gradient environment. A scene with lights gets the gradient alone, at a
 /// third of its level: scene files cannot say what is around them, and in black surroundings metals would be black. An

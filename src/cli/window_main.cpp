@@ -1,0 +1,108 @@
+// The program with the window, which `vernier view` becomes.
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cstdio>
+#include <exception>
+#include <fstream>
+#include <sstream>
+
+#include "cli/choose_camera.h"
+#include "cli/interrupt.h"
+#include "cli/save_picture.h"
+#include "cli/scene_setup.h"
+#include "cli/view_options.h"
+#include "cli/warnings.h"
+#include "error.h"
+#include "preview/viewer.h"
+
+namespace vernier {
+namespace {
+
+/// `settings` with the camera that `words` say.
+SceneSettings with_words(const SceneSettings& settings, const RenderCommandArguments& arguments,
+                         const CameraWords& words) {
+  SceneArguments texts = arguments.scene;
+  texts.camera = words.camera;
+  texts.eye = words.eye;
+  texts.target = words.target;
+  texts.up = words.up;
+  texts.fov = words.fov;
+  SceneSettings changed = parse_scene_settings(texts);
+  changed.scene = settings.scene;
+  return changed;
+}
+
+ViewedScene load_viewed(SceneSettings settings, const RenderCommandArguments& arguments, const CameraWords& words,
+                        double aspect) {
+  const auto start = std::chrono::steady_clock::now();
+  settings = with_words(settings, arguments, words);
+  SceneSetup setup = set_up_scene(settings, aspect);
+  print_warnings(setup.scene.warnings);
+  ViewedScene viewed;
+  viewed.source = settings.scene;
+  viewed.packed = pack_scene(setup.scene, 0);
+  viewed.words = words;
+  viewed.camera = setup.camera;
+  viewed.lights_follow = setup.default_lights;
+  viewed.scene = std::move(setup.scene);
+  viewed.load_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  return viewed;
+}
+
+std::vector<ScriptEvent> read_script(const std::string& path) {
+  if (path.empty()) return {};
+  std::ifstream file(path);
+  std::ostringstream text;
+  if (!(text << file.rdbuf())) throw Error(ErrorKind::refused, path + ": cannot be read, or is empty");
+  return parse_script(path, text.str());
+}
+
+void view(const ViewArguments& arguments) {
+  const ViewSettings settings = parse_view(arguments);
+  const RenderCommandArguments& render = arguments.render;
+  catch_interrupt();
+  ViewPlan plan;
+  plan.source = render.scene.scene;
+  plan.settings = settings.render;
+  plan.words = {render.scene.camera, render.scene.eye, render.scene.target, render.scene.up, render.scene.fov};
+  plan.device = render.device;
+  plan.exposure_ev = settings.exposure_ev;
+  plan.interrupted = interrupted;
+  plan.script = read_script(arguments.script);
+  plan.record_folder = arguments.record;
+  plan.places_file = arguments.places;
+  plan.load_scene = [&](const std::string& source, const CameraWords& words, double aspect) {
+    SceneSettings of_source = settings.scene;
+    of_source.scene = source;
+    return load_viewed(of_source, render, words, aspect);
+  };
+  plan.camera_of = [&](const Scene& scene, const CameraWords& words, double aspect) {
+    return choose_camera(scene, with_words(settings.scene, render, words), aspect);
+  };
+  plan.save = [&](const SavedPicture& picture) { save_picture(render, picture); };
+  view_scene(plan);
+}
+
+int say(ErrorKind kind, const char* line) {
+  std::fprintf(stderr, "error: %s\n", line);
+  return static_cast<int>(kind);
+}
+
+}  // namespace
+}  // namespace vernier
+
+int main(int argc, char** argv) {
+  using namespace vernier;
+  try {
+    CLI::App app("The window of vernier view.", "vernier");
+    ViewArguments arguments;
+    add_view_subcommand(app, arguments);
+    CLI11_PARSE(app, argc, argv);
+    view(arguments);
+    return 0;
+  } catch (const Error& error) {
+    return say(error.kind(), error.what());
+  } catch (const std::exception& error) {
+    return say(ErrorKind::failed, error.what());
+  }
+}

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+#include <vulkan/vulkan_raii.hpp>
+
+#include "gpu/instance.h"
+
+struct GLFWwindow;
+
+namespace vernier {
+
+/// The window system, and one window. Owns both; one at a time in a program. Not movable: callbacks point here.
+class Window {
+ public:
+  /// Opens a window whose inside measures `size` screen coordinates, or less where the screen is smaller. Throws
+  /// Error(failed) without a display.
+  Window(const std::string& title, glm::ivec2 size);
+  ~Window();
+  Window(const Window&) = delete;
+  Window& operator=(const Window&) = delete;
+
+  /// Instance extensions that surfaces need. Throws Error(no_device) where the Vulkan loader is not found.
+  std::vector<const char*> instance_extensions() const;
+  /// The surface to draw on. Throws Error(no_device).
+  vk::raii::SurfaceKHR make_surface(const VulkanInstance& instance) const;
+
+  /// Takes what the user did; waits for something up to `wait_s` seconds.
+  void take_events(double wait_s);
+  bool wants_to_close() const;
+  void close();
+  /// Pixels inside; 0 while minimised.
+  glm::ivec2 size_px() const;
+  /// Asks for `size` pixels inside.
+  void set_size(glm::ivec2 size);
+  void set_title(const std::string& title);
+  /// Files dropped since the last call.
+  std::vector<std::string> take_drops();
+  /// For who draws over the picture.
+  GLFWwindow* handle() const { return window_; }
+
+ private:
+  GLFWwindow* window_ = nullptr;
+  std::vector<std::string> drops_;
+};
+
+}  // namespace vernier

@@ -1,0 +1,67 @@
+#include "preview/camera_words.h"
+
+#include <gtest/gtest.h>
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "cli/choose_camera.h"
+
+namespace vernier {
+namespace {
+
+/// The camera that the command line makes of `words`.
+Camera chosen(const CameraWords& words) {
+  SceneArguments arguments;
+  arguments.eye = words.eye;
+  arguments.target = words.target;
+  arguments.up = words.up;
+  Scene scene;
+  scene.cameras.emplace_back();
+  return choose_camera(scene, parse_scene_settings(arguments), 1.5);
+}
+
+OrbitView somewhere(double roll) {
+  Camera camera;
+  camera.world_from_camera = glm::translate(glm::dmat4(1.0), glm::dvec3(0.1, 1.0 / 3.0, 7.0)) *
+                             glm::rotate(glm::dmat4(1.0), roll, glm::dvec3(0.0, 0.0, 1.0));
+  const OrbitView view = orbit_view(camera, {glm::dvec3(-1.0), glm::dvec3(1.0)});
+  return roll == 0.0 ? orbited(view, 0.4, 0.2) : view;
+}
+
+void expect_same_view(const Camera& a, const Camera& b) {
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      // The axes are made anew from two points ten metres apart, each rounded to 2^-53.
+      EXPECT_NEAR(a.world_from_camera[column][row], b.world_from_camera[column][row], 1e-14 * 10.0);
+    }
+  }
+}
+
+TEST(CameraWordsTest, TheCommandLineLooksTheSameWay) {
+  const OrbitView view = somewhere(0.0);
+  const CameraWords words = camera_words({}, view);
+  EXPECT_EQ(words.up, "") << "upright";
+  expect_same_view(chosen(words), view.camera);
+}
+
+TEST(CameraWordsTest, ARolledCameraSaysUp) {
+  const OrbitView view = somewhere(0.3);
+  const CameraWords words = camera_words({}, view);
+  EXPECT_NE(words.up, "");
+  expect_same_view(chosen(words), view.camera);
+}
+
+TEST(CameraWordsTest, EyeKeepsEveryDigit) {
+  const Camera camera = chosen(camera_words({}, somewhere(0.3)));
+  EXPECT_EQ(camera.world_from_camera[3], somewhere(0.3).camera.world_from_camera[3]);
+}
+
+TEST(CameraWordsTest, CameraAndFieldOfViewStay) {
+  const CameraWords words = camera_words({.camera = "2", .eye = "1,2,3", .target = {}, .up = {}, .fov = "40"}, somewhere(0.0));
+  EXPECT_EQ(words.camera, "2");
+  EXPECT_EQ(words.fov, "40");
+  EXPECT_NE(words.eye, "1,2,3");
+}
+
+}  // namespace
+}  // namespace vernier

@@ -1,0 +1,55 @@
+"""The picture comes, follows mouse and keys, and keeps its sides when the window does not."""
+
+import time
+import unittest
+
+from window import PANEL, SCENES, SIZE, SURROUND, WindowTest
+
+# The scene fills 40 % of the room: in a picture of another view over an eighth of its pixels are others.
+OTHER_VIEW = 0.05
+
+
+class PictureTest(WindowTest):
+    def test_first_picture_orbit_and_keys(self):
+        view = self.open(SCENES / "every_effect.glb")
+        view.settle("the first picture")
+        first = view.picture()
+        self.assertGreater(first.colors(), 1000, "a rendered scene, not a plain window")
+
+        self.screen.drag((200, 340), (320, 350))
+        view.settle("the picture after a drag")
+        turned = view.picture()
+        self.assertGreater(turned.difference(first), OTHER_VIEW, "a drag turns the camera")
+
+        self.screen.point(240, 340)
+        self.screen.key("f")
+        view.settle("the picture after F")
+        framed = view.picture()
+        self.assertGreater(framed.difference(turned), OTHER_VIEW, "F frames all")
+
+        self.screen.key("1")
+        view.settle("the picture after 1")
+        self.assertEqual(view.picture().difference(first), 0.0, "1 is the file's first camera, as at the start")
+
+        self.screen.key("w")
+        view.settle("the picture after W")
+        self.assertGreater(view.picture().difference(first), OTHER_VIEW, "W walks forward")
+
+    def test_resized_windows_keep_the_aspect(self):
+        view = self.open(SCENES / "glass_ball.glb", "--background", "0.5,0.2,0.1")
+        view.settle("the first picture")
+        for size in ((900, 500), (600, 600), (500, 180)):
+            with self.subTest(size=size):
+                self.screen.user("windowsize", self.screen.windows()[0], *size)
+                time.sleep(1.0)
+                room = self.screen.picture().part(0, 0, size[0] - PANEL, size[1])
+                left, top, width, height = room.bounds_of_other_than(SURROUND)
+                # Either side is rounded to whole pixels.
+                self.assertAlmostEqual(width / SIZE[0], height / SIZE[1], delta=1.0 / SIZE[1])
+                self.assertTrue(width == room.width or height == room.height, "as large as there is room")
+                self.assertAlmostEqual(left, room.width - width - left, delta=1)
+                self.assertAlmostEqual(top, room.height - height - top, delta=1)
+
+
+if __name__ == "__main__":
+    unittest.main()
