@@ -15,6 +15,7 @@ class VulkanInstance {
   /// `extensions`: names of instance extensions that a window asks for.
   /// Throws Error(no_device) without a loader, driver or extension, or when validation is asked for and not installed.
   explicit VulkanInstance(bool validation = false, const std::vector<const char*>& extensions = {});
+  /// Takes over what `other` owns.
   VulkanInstance(VulkanInstance&& other) noexcept;
   VulkanInstance& operator=(VulkanInstance&&) = delete;
   ~VulkanInstance();

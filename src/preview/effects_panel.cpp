@@ -33,7 +33,8 @@ void draw_effect(const ViewSession& session, const EffectReason& effect, PanelSt
 
 void draw_effects_section(const ViewSession& session, PanelState& state, PanelActions& actions) {
   if (!section("Effects", true)) return;
-  if (ImGui::Button(state.measuring ? "Measuring ..." : "Measure what each costs", {-1.0f, 0.0f})) actions.measure = true;
+  if (ImGui::Button(state.measuring ? "Measuring ..." : "Measure what each costs", {-1.0f, 0.0f}))
+    actions.measure = true;
   note_place(state.places, "Measure");
   if (state.ledger) quiet_text("Share of the frame's time that leaving it out saves");
   if (state.settings.effects != "auto" && ImGui::Button("As the scene asks (auto)", {-1.0f, 0.0f})) {

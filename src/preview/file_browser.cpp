@@ -84,12 +84,14 @@ std::optional<std::string> FileBrowser::draw(WidgetPlaces& places) {
   ImGui::SetNextWindowPos({screen.x * 0.5f, screen.y * 0.5f}, ImGuiCond_Always, {0.5f, 0.5f});
   ImGui::SetNextWindowSize({std::min(screen.x * 0.9f, ImGui::GetFontSize() * 36.0f),
                             std::min(screen.y * 0.9f, ImGui::GetFontSize() * 30.0f)});
-  ImGui::Begin("Open a scene", &open_, ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
+  ImGui::Begin("Open a scene", &open_,
+               ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings);
   std::optional<std::string> chosen = draw_recent();
   quiet_text(folder_.string());
   if (const std::optional<std::string> entry = draw_entries(places)) chosen = entry;
   ImGui::SetNextItemWidth(-1.0f);
-  if (ImGui::InputTextWithHint("##typed", "or type a path and press Enter", &typed_, ImGuiInputTextFlags_EnterReturnsTrue)) {
+  if (ImGui::InputTextWithHint("##typed", "or type a path and press Enter", &typed_,
+                               ImGuiInputTextFlags_EnterReturnsTrue)) {
     chosen = typed_;
   }
   note_place(places, "Path");

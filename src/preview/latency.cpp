@@ -11,8 +11,8 @@ constexpr std::size_t kMostWaits = 2000;
 
 }  // namespace
 
-void Latency::input() {
-  if (!waiting_) input_ = Clock::now();
+void Latency::input(Clock::time_point earliest) {
+  if (!waiting_) input_ = earliest;
   waiting_ = true;
 }
 
@@ -33,8 +33,9 @@ std::string Latency::text() const {
   if (waits_ms_.empty()) return text;
   std::vector<double> sorted = waits_ms_;
   std::ranges::sort(sorted);
-  std::snprintf(text, sizeof text, "first picture after %.0f ms; input to picture %.0f ms (median of %zu), %.0f ms at most",
-                first_ms_, sorted[sorted.size() / 2], sorted.size(), sorted.back());
+  std::snprintf(text, sizeof text,
+                "first picture after %.0f ms; input to picture %.0f ms (median of %zu), %.0f ms at most", first_ms_,
+                sorted[sorted.size() / 2], sorted.size(), sorted.back());
   return text;
 }
 

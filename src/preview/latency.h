@@ -6,14 +6,14 @@
 
 namespace vernier {
 
-/// How long the user waited for pictures.
+/// How long the user waited for pictures, at most: an event may have come right after the last look for events.
 class Latency {
  public:
   /// The window opened.
   Latency() : opened_(Clock::now()) {}
 
-  /// The camera was moved: the next picture answers to it.
-  void input();
+  /// The camera was moved at `earliest` or later: the next picture answers to it.
+  void input(std::chrono::steady_clock::time_point earliest);
   /// A picture was shown; `of_input`: it shows what the input asked for.
   void picture(bool of_input);
 

@@ -49,7 +49,8 @@ OrbitView orbit_view(const Camera& camera, const WorldBounds& bounds) {
 }
 
 OrbitView framed(const OrbitView& view, const WorldBounds& bounds, double aspect) {
-  const Camera all = frame_camera(bounds, view.camera.orthographic ? Camera{}.vertical_fov : view.camera.vertical_fov, aspect);
+  const Camera all =
+      frame_camera(bounds, view.camera.orthographic ? Camera{}.vertical_fov : view.camera.vertical_fov, aspect);
   Camera camera = view.camera;
   camera.world_from_camera = all.world_from_camera;
   OrbitView out = orbit_view(camera, bounds);

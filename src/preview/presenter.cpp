@@ -29,7 +29,8 @@ vk::raii::RenderPass make_render_pass(const Device& device, vk::Format format) {
 std::uint32_t device_memory(const Device& device, std::uint32_t allowed) {
   const vk::PhysicalDeviceMemoryProperties memory = device.physical().getMemoryProperties();
   for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
-    const bool local = static_cast<bool>(memory.memoryTypes[type].propertyFlags & vk::MemoryPropertyFlagBits::eDeviceLocal);
+    const bool local =
+        static_cast<bool>(memory.memoryTypes[type].propertyFlags & vk::MemoryPropertyFlagBits::eDeviceLocal);
     if (local && (allowed >> type & 1u) != 0) return type;
   }
   throw Error(ErrorKind::failed, "the device has no memory for a picture");
@@ -62,8 +63,8 @@ Presenter::Presenter(const Device& device, vk::SurfaceKHR surface, glm::ivec2 wi
       surface_(surface),
       format_(choose_surface_format(device, surface)),
       render_pass_(make_render_pass(device, format_.format)),
-      pool_(device.vk(), vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer,
-                                                   device.queue_family())),
+      pool_(device.vk(),
+            vk::CommandPoolCreateInfo(vk::CommandPoolCreateFlagBits::eResetCommandBuffer, device.queue_family())),
       done_(device.vk(), vk::FenceCreateInfo()),
       acquired_(device.vk(), vk::SemaphoreCreateInfo()) {
   commands_ = std::move(
@@ -86,9 +87,9 @@ void Presenter::set_largest_picture(glm::ivec2 size) {
     device_.queue().waitIdle();
     const vk::Extent3D extent(static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y), 1);
     const vk::ImageUsageFlags usage = vk::ImageUsageFlagBits::eTransferDst | vk::ImageUsageFlagBits::eTransferSrc;
-    picture_ = vk::raii::Image(device_.vk(), vk::ImageCreateInfo({}, vk::ImageType::e2D, kPictureFormat, extent, 1, 1,
-                                                                 vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal,
-                                                                 usage));
+    picture_ = vk::raii::Image(device_.vk(),
+                               vk::ImageCreateInfo({}, vk::ImageType::e2D, kPictureFormat, extent, 1, 1,
+                                                   vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal, usage));
     const vk::MemoryRequirements needs = picture_.getMemoryRequirements();
     picture_memory_ = vk::raii::DeviceMemory(
         device_.vk(), vk::MemoryAllocateInfo(needs.size, device_memory(device_, needs.memoryTypeBits)));
@@ -142,11 +143,11 @@ void Presenter::record(const ShownPicture& picture, std::uint32_t index,
   if (picture.words != nullptr) record_picture(picture, target);
   const vk::AccessFlags drawing = vk::AccessFlagBits::eColorAttachmentRead | vk::AccessFlagBits::eColorAttachmentWrite;
   transition(commands_, target,
-             {vk::ImageLayout::eTransferDstOptimal, vk::ImageLayout::eColorAttachmentOptimal, kWrite, drawing, kTransfer,
-              vk::PipelineStageFlagBits::eColorAttachmentOutput});
-  commands_.beginRenderPass(vk::RenderPassBeginInfo(*render_pass_, swapchain_.framebuffer(index),
-                                                    vk::Rect2D({0, 0}, swapchain_.extent())),
-                            vk::SubpassContents::eInline);
+             {vk::ImageLayout::eTransferDstOptimal, vk::ImageLayout::eColorAttachmentOptimal, kWrite, drawing,
+              kTransfer, vk::PipelineStageFlagBits::eColorAttachmentOutput});
+  commands_.beginRenderPass(
+      vk::RenderPassBeginInfo(*render_pass_, swapchain_.framebuffer(index), vk::Rect2D({0, 0}, swapchain_.extent())),
+      vk::SubpassContents::eInline);
   draw_over(commands_);
   commands_.endRenderPass();
   if (capture_wanted_ && swapchain_.can_be_read()) record_capture(target);
@@ -182,11 +183,15 @@ void Presenter::record_capture(vk::Image target) {
   transition(commands_, target,
              {vk::ImageLayout::ePresentSrcKHR, vk::ImageLayout::eTransferSrcOptimal,
               vk::AccessFlagBits::eColorAttachmentWrite, kRead, drawn, kTransfer});
-  commands_.copyImageToBuffer(target, vk::ImageLayout::eTransferSrcOptimal, *captured_.vk(),
-                              vk::BufferImageCopy(0, 0, 0, kLayer, {0, 0, 0},
-                                                  {captured_extent_.width, captured_extent_.height, 1}));
+  commands_.copyImageToBuffer(
+      target, vk::ImageLayout::eTransferSrcOptimal, *captured_.vk(),
+      vk::BufferImageCopy(0, 0, 0, kLayer, {0, 0, 0}, {captured_extent_.width, captured_extent_.height, 1}));
   transition(commands_, target,
-             {vk::ImageLayout::eTransferSrcOptimal, vk::ImageLayout::ePresentSrcKHR, kRead, {}, kTransfer,
+             {vk::ImageLayout::eTransferSrcOptimal,
+              vk::ImageLayout::ePresentSrcKHR,
+              kRead,
+              {},
+              kTransfer,
               vk::PipelineStageFlagBits::eBottomOfPipe});
   const vk::MemoryBarrier host(kWrite, vk::AccessFlagBits::eHostRead);
   commands_.pipelineBarrier(kTransfer, vk::PipelineStageFlagBits::eHost, {}, host, {}, {});

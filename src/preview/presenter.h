@@ -11,10 +11,10 @@ namespace vernier {
 
 /// A picture on the device and where it goes.
 struct ShownPicture {
-  const Buffer* words = nullptr;            ///< R8G8B8A8 [size.y][size.x]; null: none
-  glm::ivec2 size = glm::ivec2(0);          ///< pixels
-  glm::ivec2 corner = glm::ivec2(0);        ///< of the window, upper left
-  glm::ivec2 shown_size = glm::ivec2(0);    ///< pixels of the window that it fills
+  const Buffer* words = nullptr;          ///< R8G8B8A8 [size.y][size.x]; null: none
+  glm::ivec2 size = glm::ivec2(0);        ///< pixels
+  glm::ivec2 corner = glm::ivec2(0);      ///< of the window, upper left
+  glm::ivec2 shown_size = glm::ivec2(0);  ///< pixels of the window that it fills
 };
 
 /// Puts pictures and what is drawn over them into a window. Owns swapchain, render pass and commands.
@@ -26,6 +26,7 @@ class Presenter {
 
   /// The pass that draws over the picture; for pipelines of who draws.
   vk::RenderPass render_pass() const { return *render_pass_; }
+  /// Images of the swapchain; 0 while the window is minimised.
   std::uint32_t image_count() const { return swapchain_.image_count(); }
   /// Pictures may be as large as that from now on.
   void set_largest_picture(glm::ivec2 size);

@@ -34,7 +34,8 @@ bool Replay::is_due(const ScriptEvent& event, bool settled) {
 void Replay::click(const ScriptEvent& event, const WidgetPlaces& places) {
   const auto found = places.find(event.words[0]);
   if (found == places.end()) {
-    throw Error(ErrorKind::usage, "script, line " + std::to_string(event.line) + ": no `" + event.words[0] + "` is in sight");
+    throw Error(ErrorKind::usage,
+                "script, line " + std::to_string(event.line) + ": no `" + event.words[0] + "` is in sight");
   }
   const ImVec4& place = found->second;
   mouse_ = {place.x + place.z * 0.5f, place.y + place.w * 0.5f};

@@ -25,6 +25,7 @@ struct ReplayRequest {
 /// A script in the place of the user: events come through the same widgets and the same camera as mouse and keys do.
 class Replay {
  public:
+  /// Begins with the first of `events`.
   explicit Replay(std::vector<ScriptEvent> events);
 
   /// The next event, if it is due: one a frame, so that each is seen apart. `settled`: nothing is left to trace, to

@@ -31,8 +31,8 @@ void draw_error_plot(const std::vector<ErrorHistory::Point>& points) {
   std::vector<float> logarithms;
   for (const ErrorHistory::Point& point : points) logarithms.push_back(std::log10(std::max(point.error, 1e-7f)));
   const auto [least, most] = std::ranges::minmax(logarithms);
-  const std::string title = format_text("%.4f after %.1f s", static_cast<double>(points.back().error),
-                                        points.back().seconds);
+  const std::string title =
+      format_text("%.4f after %.1f s", static_cast<double>(points.back().error), points.back().seconds);
   const ImVec2 size{ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 5.0f};
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImDrawList& canvas = *ImGui::GetWindowDrawList();
@@ -62,10 +62,11 @@ void draw_scene_section(const ViewSession& session, PanelState& state, PanelActi
   quiet_text(grouped(session.packed().triangles.size() / 4) + " triangles, " + grouped(scene.instances.size()) +
              " instances, " + grouped(scene.materials.size()) + " materials, " + grouped(scene.textures.size()) +
              " textures, " + grouped(scene.lights.size()) + " lights");
-  quiet_text(byte_text(session.device_bytes()) + " on the device, " + byte_text(resident_bytes()) + " of memory; read in " +
-             format_text("%.2f s", session.viewed().load_ms / 1000.0));
+  quiet_text(byte_text(session.device_bytes()) + " on the device, " + byte_text(resident_bytes()) +
+             " of memory; read in " + format_text("%.2f s", session.viewed().load_ms / 1000.0));
   for (std::size_t index = 0; index < scene.cameras.size(); ++index) {
-    if (ImGui::Selectable((camera_text(scene, index) + "##" + std::to_string(index)).c_str(), false)) actions.camera = index;
+    if (ImGui::Selectable((camera_text(scene, index) + "##" + std::to_string(index)).c_str(), false))
+      actions.camera = index;
     note_place(state.places, "Camera " + std::to_string(index + 1));
   }
   for (const std::string& warning : scene.warnings) {
@@ -78,9 +79,10 @@ void draw_scene_section(const ViewSession& session, PanelState& state, PanelActi
 void draw_time_section(const ViewSession& session) {
   if (!section("Time", true)) return;
   const PictureState& picture = session.state();
-  quiet_text(format_text("%.2f million rays per second, %.0f ms per tile", picture.rays_per_s * 1e-6,
-                         picture.ms_per_tile));
-  quiet_text(format_text("%.1f s for this picture; %.0f ms while the camera moves", picture.seconds, picture.coarse_ms));
+  quiet_text(
+      format_text("%.2f million rays per second, %.0f ms per tile", picture.rays_per_s * 1e-6, picture.ms_per_tile));
+  quiet_text(
+      format_text("%.1f s for this picture; %.0f ms while the camera moves", picture.seconds, picture.coarse_ms));
   if (session.errors().empty()) {
     quiet_text("The error is estimated once every pixel has two passes.");
   } else {

@@ -9,8 +9,8 @@
 
 namespace vernier {
 
-/// Writes `picture`, display code values [height][width][3] in [0, 1], as the PNG file `path`, whole or not at all; its
-/// folder is made. Throws Error(failed).
+/// Writes `picture`, display code values [height][width][3] in [0, 1], as the file `path`, a .png or .jpg, whole or not
+/// at all; its folder is made. Throws Error(failed).
 void write_screenshot(const std::string& path, const Image& picture);
 
 /// What tests are told of a window: {"places": {NAME: [x, y, width, height]}, "samples", "share",

@@ -9,8 +9,8 @@ namespace vernier {
 namespace {
 
 [[noreturn]] void refuse(const ScriptEvent& event) {
-  throw Error(ErrorKind::usage, "script, line " + std::to_string(event.line) + ": `" + event.words[0] + "` cannot be `" +
-                                    event.words[1] + "`");
+  throw Error(ErrorKind::usage, "script, line " + std::to_string(event.line) + ": `" + event.words[0] +
+                                    "` cannot be `" + event.words[1] + "`");
 }
 
 std::uint32_t count_of(const ScriptEvent& event, std::uint32_t least, std::uint32_t most) {

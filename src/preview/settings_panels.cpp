@@ -7,8 +7,9 @@
 namespace vernier {
 namespace {
 
-constexpr std::array<const char*, DISPLAY_COUNT> kLayers = {
-    "Colour", "Depth", "Normals", "Shading normals", "Albedo", "Objects", "Materials", "Triangles", "Cost (rays per sample)"};
+constexpr std::array<const char*, DISPLAY_COUNT> kLayers = {"Colour",          "Depth",     "Normals",
+                                                            "Shading normals", "Albedo",    "Objects",
+                                                            "Materials",       "Triangles", "Cost (rays per sample)"};
 constexpr std::array<const char*, 3> kLevels = {"fast", "robust", "exact"};
 constexpr int kMostSamples = 4096;
 constexpr int kMostBounces = 64;

@@ -40,17 +40,17 @@ Swapchain::Swapchain(const Device& device, vk::SurfaceKHR surface, vk::SurfaceFo
     can_be_read_ = static_cast<bool>(usage & vk::ImageUsageFlagBits::eTransferSrc);
     const vk::SwapchainCreateInfoKHR create({}, surface, chosen_image_count(can), format.format, format.colorSpace,
                                             extent_, 1, usage, vk::SharingMode::eExclusive, {}, can.currentTransform,
-                                            vk::CompositeAlphaFlagBitsKHR::eOpaque, chosen_mode(device, surface), VK_TRUE,
-                                            old);
+                                            vk::CompositeAlphaFlagBitsKHR::eOpaque, chosen_mode(device, surface),
+                                            VK_TRUE, old);
     swapchain_ = vk::raii::SwapchainKHR(device.vk(), create);
     for (const VkImage image : swapchain_.getImages()) images_.emplace_back(image);
     const vk::ImageSubresourceRange whole(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
     for (const vk::Image image : images_) {
-      views_.emplace_back(device.vk(), vk::ImageViewCreateInfo({}, image, vk::ImageViewType::e2D, format.format, {},
-                                                               whole));
+      views_.emplace_back(device.vk(),
+                          vk::ImageViewCreateInfo({}, image, vk::ImageViewType::e2D, format.format, {}, whole));
       const vk::ImageView view = *views_.back();
-      framebuffers_.emplace_back(device.vk(), vk::FramebufferCreateInfo({}, render_pass, view, extent_.width,
-                                                                        extent_.height, 1));
+      framebuffers_.emplace_back(device.vk(),
+                                 vk::FramebufferCreateInfo({}, render_pass, view, extent_.width, extent_.height, 1));
       drawn_.emplace_back(device.vk(), vk::SemaphoreCreateInfo());
     }
   });

@@ -19,10 +19,13 @@ class Swapchain {
   /// Pixels. Empty for a window that is minimised: there is nothing to show.
   vk::Extent2D extent() const { return extent_; }
   const vk::raii::SwapchainKHR& vk() const { return swapchain_; }
+  /// How many there are.
   std::uint32_t image_count() const { return static_cast<std::uint32_t>(images_.size()); }
   /// Whether images can be copied from.
   bool can_be_read() const { return can_be_read_; }
+  /// Image `index`, below image_count().
   vk::Image image(std::uint32_t index) const { return images_[index]; }
+  /// To draw onto image `index`.
   vk::Framebuffer framebuffer(std::uint32_t index) const { return *framebuffers_[index]; }
   /// Signalled when image `index` has been drawn.
   vk::Semaphore drawn(std::uint32_t index) const { return *drawn_[index]; }

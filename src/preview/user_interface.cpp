@@ -57,8 +57,7 @@ UserInterface::UserInterface(const Window& window, const VulkanInstance& instanc
                              Presenter& presenter) {
   const vk::DescriptorPoolSize textures(vk::DescriptorType::eCombinedImageSampler, 4);
   pool_ = vk::raii::DescriptorPool(
-      device.vk(),
-      vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 4, textures));
+      device.vk(), vk::DescriptorPoolCreateInfo(vk::DescriptorPoolCreateFlagBits::eFreeDescriptorSet, 4, textures));
   float scale_x = 1.0f, scale_y = 1.0f;
   glfwGetWindowContentScale(window.handle(), &scale_x, &scale_y);
   scale_ = std::clamp(scale_x, 1.0f, 4.0f);

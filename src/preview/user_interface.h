@@ -12,6 +12,7 @@ namespace vernier {
 /// context; window, instance, device and presenter outlive it.
 class UserInterface {
  public:
+  /// Begins in `window`, with text as large as its screen asks for.
   UserInterface(const Window& window, const VulkanInstance& instance, const Device& device, Presenter& presenter);
   ~UserInterface();
   UserInterface(const UserInterface&) = delete;
@@ -20,6 +21,7 @@ class UserInterface {
   /// Widgets may be called from here on, until end_frame. `put_input`: after the window's mouse and keys are in, and
   /// before widgets see them.
   void begin_frame(const std::function<void()>& put_input);
+  /// No more widgets: record() draws what was called.
   void end_frame();
   /// Records the drawing of the last frame.
   void record(const vk::raii::CommandBuffer& commands) const;

@@ -1,4 +1,5 @@
 // What a window does between two traces.
+#include <cstdio>
 #include <filesystem>
 #include <utility>
 
@@ -11,10 +12,14 @@
 namespace vernier {
 namespace {
 
-/// Between two coarse pictures and a full one.
-constexpr double kRestSeconds = 0.15;
-constexpr double kIdleWaitSeconds = 0.1;
+/// Between two frames while a picture is traced, which shares the processor with them on CPU devices.
 constexpr double kFrameSeconds = 0.05;
+/// Without input for that long the camera is at rest.
+constexpr double kRestSeconds = 0.15;
+/// While there is nothing to trace.
+constexpr double kIdleWaitSeconds = 0.1;
+/// The same while something else goes on.
+constexpr double kBusyWaitSeconds = 0.01;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -23,15 +28,13 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 ViewWindow::ViewWindow(const ViewPlan& plan, Window& window, ViewedScene first)
-    : plan_(plan),
-      window_(window),
-      stage_(window, plan.device, {plan.settings.width, plan.settings.height}) {
+    : plan_(plan), window_(window), stage_(window, plan.device, {plan.settings.width, plan.settings.height}) {
   state_.settings = plan.settings;
   state_.display.exposure_ev = plan.exposure_ev;
   state_.device = stage_.device().description().name;
   state_.message = plan.message;
   state_.browser.set_recent(read_recent_files(recent_files_path()));
-  if (!plan.script.empty()) replay_.emplace(plan.script);
+  if (!plan.record_folder.empty()) replay_.emplace(plan.script);
   show(std::move(first));
 }
 
@@ -49,9 +52,10 @@ void ViewWindow::run() {
   while (!is_closing()) {
     apply();
     if (session_->is_finished()) {
-      frame(replay_ || loading_.valid() ? 0.01 : kIdleWaitSeconds);
+      frame(replay_ || loading_.valid() ? kBusyWaitSeconds : kIdleWaitSeconds);
     } else {
-      session_->trace([this] { return is_closing() || (seconds_since(last_frame_) > kFrameSeconds && frame(0.0)); });
+      session_->trace([this] { return is_closing() || (seconds_since(last_frame_) > kFrameSeconds && frame(0.0)); },
+                      [this] { return is_closing(); });
       stale_ = true;
       frame(0.0);
     }
@@ -100,6 +104,7 @@ void ViewWindow::show(ViewedScene viewed) {
   last_move_ = Clock::now();
   const std::string name = source.empty() ? "built-in scene" : std::filesystem::path(source).filename().string();
   window_.set_title("Vernier: " + name);
+  state_.save_path = source.empty() ? "vernier.png" : std::filesystem::path(source).stem().string() + ".png";
   if (source.empty()) return;
   state_.browser.start_at(source);
   std::error_code failure;
@@ -118,7 +123,8 @@ void ViewWindow::load(const std::string& source) {
 }
 
 void ViewWindow::take_loaded() {
-  if (loading_.valid() && loading_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) actions_.loaded = true;
+  if (loading_.valid() && loading_.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+    actions_.loaded = true;
 }
 
 /// Does what was asked for, between two traces.
@@ -203,8 +209,9 @@ void ViewWindow::save() {
               session_->settings(), state_.display.exposure_ev, stage_.device().description()});
   state_.message.clear();
   state_.notice = "Saved " + state_.save_path +
-                  (session_->is_complete() ? "" : format_text(" with %.0f of %u samples", session_->state().samples_done,
-                                                              session_->settings().spp));
+                  (session_->is_complete() ? ""
+                                           : format_text(" with %.0f of %u samples", session_->state().samples_done,
+                                                         session_->settings().spp));
 }
 
 }  // namespace vernier

@@ -12,8 +12,11 @@
 namespace vernier {
 namespace {
 
-/// One coarse picture while the camera moves; with what is around it, input shows within 150 ms.
-constexpr double kInteractiveMs = 80.0;
+/// One coarse picture while the camera moves: input that comes right after one was begun waits for it, for its own and
+/// for two frames of the window, and still shows within 150 ms.
+constexpr double kInteractiveMs = 45.0;
+/// Input waits for the submission under way too. Never changes a bit.
+constexpr double kLongestDispatchMs = 45.0;
 
 using Clock = std::chrono::steady_clock;
 
@@ -57,8 +60,10 @@ void ViewSession::prepare(const RenderSettings& settings) {
                                                   counts_cost(settings), device_.description());
   specialization.levels = levels_of(settings.accuracy);
   auto film = std::make_unique<Film>(device_, PixelRect{0, 0, settings.width, settings.height}, true);
-  auto tracer = std::make_unique<FilmTracer>(device_, staged_.gpu_scene(), staged_.loads(), specialization, settings,
-                                             *film);
+  RenderSettings scheduled = settings;
+  scheduled.dispatch_ms = std::min(settings.dispatch_ms, kLongestDispatchMs);
+  auto tracer =
+      std::make_unique<FilmTracer>(device_, staged_.gpu_scene(), staged_.loads(), specialization, scheduled, *film);
   effects_ = effects;
   automatic_ = automatic;
   specialization_ = specialization;
@@ -135,8 +140,8 @@ void ViewSession::begin_picture() {
   whole_ = fresh_ = geometry_ = false;
 }
 
-void ViewSession::trace(const std::function<bool()>& interrupted) {
-  if (moving_) return trace_coarse(interrupted);
+void ViewSession::trace(const std::function<bool()>& interrupted, const std::function<bool()>& closing) {
+  if (moving_) return trace_coarse(closing);
   if (fresh_) begin_picture();
   const TraceStart start{Clock::now(), state_.seconds, state_.samples_done};
   RenderCallbacks callbacks;
@@ -168,7 +173,7 @@ void ViewSession::note(const RenderProgress& progress, const TraceStart& start) 
 }
 
 /// One sample in the middle of each pixel of a smaller picture.
-void ViewSession::trace_coarse(const std::function<bool()>& interrupted) {
+void ViewSession::trace_coarse(const std::function<bool()>& closing) {
   RenderSettings coarse = needed(settings_);
   const glm::ivec2 size = scale_.size({settings_.width, settings_.height});
   coarse.width = size.x;
@@ -180,8 +185,8 @@ void ViewSession::trace_coarse(const std::function<bool()>& interrupted) {
   whole_ = false;
   const Clock::time_point start = Clock::now();
   RenderCallbacks callbacks;
-  // Half a picture is worth nothing while the camera moves: only closing the window stops it.
-  callbacks.cancelled = interrupted;
+  // Half a picture is worth nothing while the camera moves.
+  callbacks.cancelled = closing;
   rays_ = total(tracer_->trace_part({0, 0, size.x, size.y}, coarse, callbacks).rays);
   state_.coarse_ms = seconds_since(start) * 1000.0;
   scale_.took(static_cast<double>(size.x) * size.y, state_.coarse_ms);

@@ -47,14 +47,17 @@ class ViewSession {
   ViewSession(const Device& device, ViewedScene viewed, const RenderSettings& settings);
 
   const ViewedScene& viewed() const { return viewed_; }
+  /// In the light it is seen in now.
   const Scene& scene() const { return viewed_.scene; }
   const Camera& camera() const { return camera_; }
   const RenderSettings& settings() const { return settings_; }
   const EffectSet& effects() const { return effects_; }
   /// What the scene asks for, whatever the settings say.
   const EffectSet& automatic_effects() const { return automatic_; }
+  /// As it was uploaded.
   const PackedScene& packed() const { return staged_.packed(); }
   Film& film() { return *film_; }
+  /// Device memory of scene and film.
   std::uint64_t device_bytes() const { return staged_.gpu_scene().size_bytes() + film_->size_bytes(); }
 
   /// Begins anew through another camera; more will follow at once, so that a coarse picture will do.
@@ -63,13 +66,15 @@ class ViewSession {
   void set_settings(const RenderSettings& settings);
   /// The camera came to rest: the next trace makes the full picture.
   void come_to_rest();
-  /// All samples of the settings are wanted, or (stop) no more than the preview's.
+  /// All samples of the settings are wanted.
   void render();
+  /// No more than the preview's are wanted; those that are there stay.
   void stop();
 
-  /// Takes the picture on: while the camera moves, a coarse one as a whole; else the samples that are wanted, unless
-  /// `interrupted`, which is asked between submissions, says so before. Throws Error(device_lost).
-  void trace(const std::function<bool()>& interrupted);
+  /// Takes the picture on: while the camera moves, a coarse one as a whole, unless the window is `closing`; else the
+  /// samples that are wanted, unless `interrupted` says so before. Both are asked between submissions. Throws
+  /// Error(device_lost).
+  void trace(const std::function<bool()>& interrupted, const std::function<bool()>& closing);
   /// Makes sure that the film tells what the pixels of the picture see. Throws Error(device_lost).
   void trace_geometry();
   /// What `effects` that are on cost, at a small size; `stop` is asked between them.
@@ -84,6 +89,7 @@ class ViewSession {
   /// Whether the film holds what picture_size() says; false while the first samples come in after a coarse picture.
   bool is_whole() const { return whole_; }
   const PictureState& state() const { return state_; }
+  /// Estimates of this picture's error so far.
   const std::vector<ErrorHistory::Point>& errors() const { return errors_.points(); }
   /// Pixel (x, y) of the picture; none while there is no full picture. Waits.
   std::optional<PixelFacts> pixel(int x, int y);
@@ -92,7 +98,7 @@ class ViewSession {
   void prepare(const RenderSettings& settings);
   void restart();
   void begin_picture();
-  void trace_coarse(const std::function<bool()>& interrupted);
+  void trace_coarse(const std::function<bool()>& closing);
   /// Where a trace of this picture was taken up.
   struct TraceStart {
     std::chrono::steady_clock::time_point time;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <utility>
 
 #include "error.h"
@@ -14,17 +15,7 @@
 namespace vernier {
 namespace {
 
-/// Between two frames while a picture is traced, which shares the processor with them on CPU devices.
-constexpr double kFrameSeconds = 0.05;
-/// Without input for that long the camera is at rest.
-constexpr double kRestSeconds = 0.15;
-/// While there is nothing to trace.
-constexpr double kIdleWaitSeconds = 0.1;
 constexpr float kPanelWidth = 340.0f;
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 /// `picture` as large as it fits into `room`, in its middle.
 ShownPicture fitted(glm::ivec2 picture, glm::ivec2 full, glm::ivec2 room) {
@@ -41,7 +32,10 @@ ShownPicture fitted(glm::ivec2 picture, glm::ivec2 full, glm::ivec2 room) {
 
 /// Takes what the window system has, draws panels and picture. True when what is being traced is to be left for it.
 bool ViewWindow::frame(double wait_s) {
+  const Clock::time_point look = Clock::now();
   window_.take_events(wait_s);
+  // What wakes the window has just come; what was there at once may have come since the last look.
+  earliest_input_ = Clock::now() - look > std::chrono::milliseconds(1) ? Clock::now() : last_frame_;
   last_frame_ = Clock::now();
   for (const std::string& path : window_.take_drops()) actions_.open = path;
   take_loaded();
@@ -75,8 +69,7 @@ void ViewWindow::present(glm::ivec2 size, glm::ivec2 room) {
 
 bool ViewWindow::has_work() const {
   return wanted_view_ || lose_device_ || actions_.settings || actions_.camera || actions_.open || actions_.frame_all ||
-         actions_.render || actions_.stop || actions_.save || actions_.measure || actions_.loaded ||
-         is_closing();
+         actions_.render || actions_.stop || actions_.save || actions_.measure || actions_.loaded || is_closing();
 }
 
 void ViewWindow::note(const PanelActions& now) {
@@ -98,7 +91,7 @@ void ViewWindow::take_input(glm::ivec2 room) {
   }
   const OrbitView& so_far = wanted_view_ ? *wanted_view_ : view_;
   if (const auto view = camera_input(so_far, static_cast<float>(room.x), static_cast<float>(room.y))) {
-    latency_.input();
+    latency_.input(earliest_input_);
     wanted_view_ = view;
   }
   if (!ImGui::GetIO().WantTextInput) take_keys();
@@ -163,7 +156,8 @@ void ViewWindow::inspect(const ShownPicture& shown) {
 void ViewWindow::write_shot() {
   const Image picture = stage_.presenter().taken_capture();
   if (picture.values.empty()) throw Error(ErrorKind::failed, "--record: this window cannot be read");
-  write_screenshot(plan_.record_folder + "/" + *shot_ + ".png", picture);
+  const bool has_extension = std::filesystem::path(*shot_).has_extension();
+  write_screenshot(plan_.record_folder + "/" + *shot_ + (has_extension ? "" : ".png"), picture);
   shot_.reset();
 }
 

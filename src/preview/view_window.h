@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "preview/latency.h"
+#include "preview/orbit_view.h"
 #include "preview/panels.h"
 #include "preview/replay.h"
 #include "preview/viewer.h"
@@ -77,7 +78,7 @@ class ViewWindow {
   mutable std::string places_text_;
   bool stale_ = true;
   bool lose_device_ = false;
-  Clock::time_point last_frame_, last_move_;
+  Clock::time_point last_frame_ = Clock::now(), earliest_input_ = last_frame_, last_move_ = last_frame_;
 };
 
 }  // namespace vernier

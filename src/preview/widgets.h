@@ -9,8 +9,8 @@
 namespace vernier {
 
 /// Text beside what matters, and of what went wrong.
-inline constexpr ImVec4 kQuietText{0.62f, 0.65f, 0.70f, 1.0f};
-inline constexpr ImVec4 kAlarmText{1.0f, 0.58f, 0.48f, 1.0f};
+inline const ImVec4 kQuietText{0.62f, 0.65f, 0.70f, 1.0f};
+inline const ImVec4 kAlarmText{1.0f, 0.58f, 0.48f, 1.0f};
 
 /// Where the widgets of the last frame lie, by their names, in pixels of the window: x, y, width, height. What replays
 /// events clicks on names.

@@ -28,12 +28,15 @@ class Window {
 
   /// Takes what the user did; waits for something up to `wait_s` seconds.
   void take_events(double wait_s);
+  /// The user closed it, or close() did.
   bool wants_to_close() const;
+  /// From now on wants_to_close().
   void close();
   /// Pixels inside; 0 while minimised.
   glm::ivec2 size_px() const;
   /// Asks for `size` pixels inside.
   void set_size(glm::ivec2 size);
+  /// Above the window.
   void set_title(const std::string& title);
   /// Files dropped since the last call.
   std::vector<std::string> take_drops();

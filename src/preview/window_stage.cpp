@@ -5,7 +5,8 @@ namespace {
 
 CachedDevice open_device(const VulkanInstance& instance, const std::string& selector) {
   const DeviceDescription description = choose_device(list_devices(instance), selector);
-  return CachedDevice(instance, description, pipeline_file(description.pipeline_key), {VK_KHR_SWAPCHAIN_EXTENSION_NAME});
+  return CachedDevice(instance, description, pipeline_file(description.pipeline_key),
+                      {VK_KHR_SWAPCHAIN_EXTENSION_NAME});
 }
 
 }  // namespace

@@ -16,6 +16,7 @@ class WindowStage {
   /// Opens the device that `selector` means (choose_device). Throws Error(no_device).
   WindowStage(Window& window, const std::string& selector, glm::ivec2 largest_picture);
 
+  /// What traces and draws.
   const Device& device() const { return device_.device(); }
   Presenter& presenter() { return presenter_; }
   UserInterface& interface() { return interface_; }

@@ -25,9 +25,7 @@ class TileTracer {
              const RenderSettings& settings, Film& film);
 
   /// `area`, which begins at the film's upper left pixel, in tiles that suit the buffers.
-  std::vector<PixelRect> tiles(const PixelRect& area) const {
-    return schedule_tiles(area, tile_, film_.band_height());
-  }
+  std::vector<PixelRect> tiles(const PixelRect& area) const { return schedule_tiles(area, tile_, film_.band_height()); }
   /// Pixels of a tile that is whole.
   glm::ivec2 tile() const { return tile_; }
   /// Samples of a pass at most.

@@ -31,8 +31,8 @@ class FilmTracer {
   /// Error(device_lost), Error(failed) when a single ray takes more steps than the driver lets a shader take, and
   /// Error(refused) for a resumed film of another schedule.
   TraceStatistics trace(const RenderCallbacks& callbacks);
-  /// The same for the samples of `settings` in the pixels `area` at the upper left of the film; the device has been told
-  /// of settings of that size. Without an error target.
+  /// The same for the samples of `settings` in the pixels `area` at the upper left of the film; the device has been
+  /// told of settings of that size. Without an error target.
   TraceStatistics trace_part(const PixelRect& area, const RenderSettings& settings, const RenderCallbacks& callbacks);
 
   /// A trace that can be stopped and taken up again: goes on from `position`, which is start_of(settings) at first, and

@@ -57,7 +57,8 @@ TEST(CameraWordsTest, EyeKeepsEveryDigit) {
 }
 
 TEST(CameraWordsTest, CameraAndFieldOfViewStay) {
-  const CameraWords words = camera_words({.camera = "2", .eye = "1,2,3", .target = {}, .up = {}, .fov = "40"}, somewhere(0.0));
+  const CameraWords words =
+      camera_words({.camera = "2", .eye = "1,2,3", .target = {}, .up = {}, .fov = "40"}, somewhere(0.0));
   EXPECT_EQ(words.camera, "2");
   EXPECT_EQ(words.fov, "40");
   EXPECT_NE(words.eye, "1,2,3");

@@ -12,7 +12,8 @@ namespace {
 
 EffectSet automatic() {
   EffectSet effects = no_effects();
-  for (const std::uint32_t bit : {EFFECT_SHADOWS, EFFECT_TINTED_SHADOWS, EFFECT_REFLECTION}) switch_on(effects, bit, "test");
+  for (const std::uint32_t bit : {EFFECT_SHADOWS, EFFECT_TINTED_SHADOWS, EFFECT_REFLECTION})
+    switch_on(effects, bit, "test");
   return effects;
 }
 

@@ -18,7 +18,8 @@ std::string refusal(const std::string& text) {
 }
 
 TEST(ScriptTest, LinesBecomeEvents) {
-  const std::vector<ScriptEvent> events = parse_script("s", "# a comment\n\nmove 3 4.5\n  drop a file.glb\nset Samples 4\nclose");
+  const std::vector<ScriptEvent> events =
+      parse_script("s", "# a comment\n\nmove 3 4.5\n  drop a file.glb\nset Samples 4\nclose");
   ASSERT_EQ(events.size(), 4u);
   EXPECT_EQ(events[0].verb, "move");
   EXPECT_EQ(events[0].line, 3);
