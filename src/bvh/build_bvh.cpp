@@ -25,11 +25,11 @@ void refuse_too_many(std::size_t triangle_count) {
 }  // namespace
 
 Bvh build_bvh(std::span<const BvhTriangle> triangles, const std::function<bool(std::uint32_t)>& not_opaque,
-              unsigned thread_count) {
+              unsigned thread_count, BuildMethod method) {
   refuse_too_many(triangles.size());
   const unsigned threads = resolve_thread_count(thread_count);
-  const BinaryTree tree = build_binary_tree(triangles, threads);
-  const CollapsePlans plans = tree.leaf_count > 1 ? plan_collapse(tree, threads) : nullptr;
+  const BinaryTree tree = build_binary_tree(triangles, method, threads);
+  const CollapsePlans plans = tree.leaf_count > 1 ? plan_collapse(tree, threads) : CollapsePlans();
   return encode_bvh(tree, plans, triangles, not_opaque, threads);
 }
 

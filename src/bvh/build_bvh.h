@@ -3,6 +3,7 @@
 #include <functional>
 #include <span>
 
+#include "bvh/build_method.h"
 #include "bvh/bvh.h"
 
 namespace vernier {
@@ -16,6 +17,6 @@ namespace vernier {
 /// The result is the same for every thread count. Depth is at most 48 + ceil(log2 n): below depth 48 splits are
 /// medians. Throws Error(refused) when more than BVH_MAX_RECORDS records are needed. No triangle: an empty Bvh.
 Bvh build_bvh(std::span<const BvhTriangle> triangles, const std::function<bool(std::uint32_t)>& not_opaque,
-              unsigned thread_count);
+              unsigned thread_count, BuildMethod method = BuildMethod::standard);
 
 }  // namespace vernier

@@ -29,7 +29,7 @@ struct Task {
 class Encoder {
  public:
   Encoder(const BinaryTree& tree, const CollapsePlans& plans, std::span<const BvhTriangle> triangles,
-          const std::function<bool(std::uint32_t)>& not_opaque, std::vector<BvhRecord>& records)
+          const std::function<bool(std::uint32_t)>& not_opaque, LargeArray<BvhRecord>& records)
       : tree_(tree),
         plans_(plans),
         triangles_(triangles),
@@ -103,7 +103,7 @@ class Encoder {
   const CollapsePlans& plans_;
   std::span<const BvhTriangle> triangles_;
   const std::function<bool(std::uint32_t)>& not_opaque_;
-  std::vector<BvhRecord>& records_;
+  LargeArray<BvhRecord>& records_;
   float scene_extent_;
 };
 
