@@ -6,15 +6,18 @@
 #include "bvh/bin_split.h"
 #include "bvh/box.h"
 #include "bvh/median_split.h"
-#include "bvh/parallel_for.h"
+#include "bvh/sorted_split.h"
 #include "bvh/sweep_split.h"
 #include "bvh/work_queue.h"
+#include "math/parallel_for.h"
 
 namespace vernier {
 namespace {
 
 // Subtrees of up to this many triangles are built by one thread.
 constexpr std::size_t kTaskSize = 4096;
+// Above this sorting costs more than it gains: bins are as good where a node holds many triangles.
+constexpr std::size_t kSortedLimit = 65536;
 // A way down is at most kMedianDepth + log2(2^31) nodes long, and leaves one subtree waiting at each.
 constexpr std::size_t kLongestWay = kMedianDepth + 31 + 1;
 
@@ -30,20 +33,26 @@ struct Subtree {
 
 class TreeBuilder {
  public:
-  TreeBuilder(TriangleReference* references, std::size_t count, BinaryNode* nodes, float area_scale)
-      : references_(references), nodes_(nodes), area_scale_(area_scale), queue_(count / kTaskSize + 2) {}
+  TreeBuilder(TriangleReference* references, std::size_t count, BinaryNode* nodes, float area_scale,
+              std::size_t sorted_limit)
+      : references_(references),
+        nodes_(nodes),
+        area_scale_(area_scale),
+        sorted_limit_(sorted_limit),
+        queue_(count / kTaskSize + 2) {}
 
   // Splits the root on all threads together, then lets them take subtrees.
-  void build(const Subtree& root, unsigned thread_count) {
+  void build(const Subtree& root, unsigned thread_count, const CountDone& done) {
     Children children = make_node(root, thread_count);
     for (const Subtree& child : children) {
       if (child.size() > 1) {
         queue_.push(child);
       }
     }
-    parallel_for(thread_count, thread_count, [this](std::size_t) {
+    parallel_for(thread_count, thread_count, [&](std::size_t) {
       while (const std::optional<Subtree> subtree = queue_.take()) {
-        build_subtree(*subtree);
+        const std::size_t placed = build_subtree(*subtree);
+        if (done) done(placed);
         queue_.finish();
       }
     });
@@ -59,6 +68,9 @@ class TreeBuilder {
     }
     if (references.size() <= kSweepLimit) {
       return split_by_sweep(references, area_scale_);
+    }
+    if (references.size() <= sorted_limit_) {
+      return split_by_sorting(references, area_scale_);
     }
     const std::optional<Split> split = split_by_bins(references, subtree.bounds, area_scale_, thread_count);
     return split ? *split : split_by_median(references, subtree.bounds);
@@ -80,7 +92,9 @@ class TreeBuilder {
   }
 
   // Where both halves are large the right one goes to the queue (at most count / kTaskSize times), others wait here.
-  void build_subtree(const Subtree& first) {
+  // Returns how many references became leaves.
+  std::size_t build_subtree(const Subtree& first) {
+    std::size_t placed = first.size();
     std::array<Subtree, kLongestWay> waiting;
     std::size_t waiting_count = 0;
     waiting[waiting_count++] = first;
@@ -90,6 +104,7 @@ class TreeBuilder {
       const bool both_are_large = std::min(children[0].size(), children[1].size()) > kTaskSize;
       if (both_are_large) {
         queue_.push(children[1]);
+        placed -= children[1].size();
       } else if (children[1].size() > 1) {
         waiting[waiting_count++] = children[1];
       }
@@ -97,22 +112,26 @@ class TreeBuilder {
         waiting[waiting_count++] = children[0];
       }
     }
+    return placed;
   }
 
   TriangleReference* references_;
   BinaryNode* nodes_;
   float area_scale_;
+  std::size_t sorted_limit_;
   WorkQueue<Subtree> queue_;
 };
 
 }  // namespace
 
-void fill_nodes_by_area(TriangleReferences& references, BinaryNode* nodes, unsigned thread_count) {
+void fill_nodes_by_area(TriangleReferences& references, SplitSearch search, BinaryNode* nodes, unsigned thread_count,
+                        const CountDone& done) {
   const float longest = longest_side(box_from(references.bounds.box));
   // Any scale would do that keeps products of sides inside float; the smallest normal side is enough of a floor.
   const float area_scale = 1.0f / std::max(longest, 0x1p-126f);
-  TreeBuilder builder(references.all.data(), references.count, nodes, area_scale);
-  builder.build({0, references.count, 0, 0, references.bounds}, thread_count);
+  TreeBuilder builder(references.all.data(), references.count, nodes, area_scale,
+                      search == SplitSearch::all ? kSortedLimit : 0);
+  builder.build({0, references.count, 0, 0, references.bounds}, thread_count, done);
 }
 
 }  // namespace vernier

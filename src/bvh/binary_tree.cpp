@@ -7,7 +7,7 @@
 #include "bvh/area_tree.h"
 #include "bvh/box.h"
 #include "bvh/morton_tree.h"
-#include "bvh/parallel_for.h"
+#include "math/parallel_for.h"
 
 namespace vernier {
 namespace {
@@ -31,18 +31,22 @@ double sah_cost(const BinaryTree& tree, double leaf_half_area_sum, unsigned thre
   return (2.0 * leaf_half_area_sum + half_area_sum(tree.nodes, thread_count)) / half_area(tree.bounds);
 }
 
-void fill_nodes(TriangleReferences& references, BuildMethod method, BinaryNode* nodes, unsigned thread_count) {
+void fill_nodes(TriangleReferences& references, BuildMethod method, BinaryNode* nodes, unsigned thread_count,
+                const CountDone& done) {
   switch (method) {
     case BuildMethod::fast:
-      return fill_nodes_by_code(references, nodes, thread_count);
+      return fill_nodes_by_code(references, nodes, thread_count, done);
     case BuildMethod::standard:
-      return fill_nodes_by_area(references, nodes, thread_count);
+      return fill_nodes_by_area(references, SplitSearch::bins, nodes, thread_count, done);
+    case BuildMethod::quality:
+      return fill_nodes_by_area(references, SplitSearch::all, nodes, thread_count, done);
   }
 }
 
 }  // namespace
 
-BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, BuildMethod method, unsigned thread_count) {
+BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, BuildMethod method, unsigned thread_count,
+                             const CountDone& done) {
   TriangleReferences references = make_references(triangles, thread_count);
   BinaryTree tree;
   tree.leaf_count = static_cast<std::uint32_t>(references.count);
@@ -54,7 +58,7 @@ BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, BuildMethod
     tree.root = kLeafBit | triangle_index(references.all[0]);
   } else {
     tree.nodes.resize(references.count - 1);
-    fill_nodes(references, method, tree.nodes.data(), thread_count);
+    fill_nodes(references, method, tree.nodes.data(), thread_count, done);
   }
   tree.sah_cost = sah_cost(tree, references.half_area_sum, thread_count);
   return tree;

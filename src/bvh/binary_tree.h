@@ -4,6 +4,7 @@
 #include <span>
 
 #include "bvh/build_method.h"
+#include "bvh/build_progress.h"
 #include "bvh/bvh.h"
 #include "bvh/large_array.h"
 
@@ -47,8 +48,9 @@ inline std::uint32_t left_leaf_count(const BinaryNode& node, std::uint32_t node_
 inline constexpr std::uint32_t kMedianDepth = 48;
 
 /// Builds the tree over all triangles that have area by `method`, on `thread_count` (at least 1) threads; bit-identical
-/// for every number of them. Fewer than 2^31 triangles with finite coordinates. Takes 64 bytes per triangle, with
-/// BuildMethod::fast 96; keeps 32.
-BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, BuildMethod method, unsigned thread_count);
+/// for every number of them. `done` is told of triangles that have their place. Fewer than 2^31 triangles with finite
+/// coordinates. Takes 64 bytes per triangle, with BuildMethod::fast 96; keeps 32.
+BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, BuildMethod method, unsigned thread_count,
+                             const CountDone& done = {});
 
 }  // namespace vernier

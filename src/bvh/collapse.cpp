@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bvh/box.h"
-#include "bvh/parallel_for.h"
+#include "math/parallel_for.h"
 
 namespace vernier {
 namespace {

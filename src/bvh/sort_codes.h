@@ -12,9 +12,10 @@ struct CodedReference {
   std::uint32_t reference;
 };
 
-/// Puts `references` in order of their codes on `thread_count` (at least 1) threads; equal codes keep their
-/// order. 11 bits a pass from the lowest up (radix sort); what all codes share costs no pass. 16 bytes per reference
-/// beside the input.
+/// Puts `references`, whose numbers rise, in order of their codes and then of their numbers on `thread_count` (at least
+/// 1) threads: a radix sort of the upper 39 bits, 8 a pass from the lowest up (a digit that all share costs no pass),
+/// then runs that agree in those. O(n), or O(n log n) where most triangles lie in one 2^-13th of the scene. 16 bytes
+/// per reference beside the input.
 void sort_by_code(LargeArray<CodedReference>& references, unsigned thread_count);
 
 }  // namespace vernier

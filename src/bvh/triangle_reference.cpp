@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bvh/box.h"
-#include "bvh/parallel_for.h"
 #include "bvh/zero_area.h"
+#include "math/parallel_for.h"
 
 namespace vernier {
 namespace {

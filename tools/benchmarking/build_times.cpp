@@ -115,7 +115,8 @@ void measure(const std::string& path, int round_count, unsigned thread_count) {
   std::vector<Builder> builders = {
       {"embree", [&] { return embree_time(device, mesh, RTC_BUILD_QUALITY_MEDIUM); }, {}},
       {"fast", [&] { return build_time(triangles, thread_count, vernier::BuildMethod::fast); }, {}},
-      {"default", [&] { return build_time(triangles, thread_count, vernier::BuildMethod::standard); }, {}}};
+      {"default", [&] { return build_time(triangles, thread_count, vernier::BuildMethod::standard); }, {}},
+      {"quality", [&] { return build_time(triangles, thread_count, vernier::BuildMethod::quality); }, {}}};
   for (int round = 0; round <= round_count; ++round) {
     for (Builder& builder : builders) {
       const Time time = builder.build();
