@@ -31,6 +31,11 @@ struct Subtree {
   std::size_t size() const { return end - begin; }
 };
 
+// Is there a split between centres at all?
+bool spreads(const LaneBox& centres) {
+  return vec3_from(centres.lo) != vec3_from(centres.hi);
+}
+
 class TreeBuilder {
  public:
   TreeBuilder(TriangleReference* references, std::size_t count, BinaryNode* nodes, float area_scale,
@@ -69,7 +74,7 @@ class TreeBuilder {
     if (references.size() <= kSweepLimit) {
       return split_by_sweep(references, area_scale_);
     }
-    if (references.size() <= sorted_limit_) {
+    if (references.size() <= sorted_limit_ && spreads(subtree.bounds.centres)) {
       return split_by_sorting(references, area_scale_);
     }
     const std::optional<Split> split = split_by_bins(references, subtree.bounds, area_scale_, thread_count);

@@ -17,16 +17,18 @@ std::uint64_t spread_bits(std::uint64_t value) {
 }  // namespace
 
 MortonGrid::MortonGrid(const LaneBox& centres) : origin_(without_lane_3(centres.lo)) {
-  // Below this the scale would overflow.
-  constexpr float kLeastSide = 1e-36f;
-  // A little less than 2^21, so that the rounding of the largest centre's product stays in the last cell.
+  // A little less than 2^21, so that the roundings of scale and product leave the largest centre in the last cell.
   constexpr float kCells = 0x1p21f * (1.0f - 0x1p-22f);
+  // 2^21 divided by a side below the first would overflow: such sides are made longer first, by the second.
+  constexpr float kShort = 0x1p-60f, kStretch = 0x1p90f;
   const Lanes side = centres.hi - centres.lo;
-  scale_ = kCells / std::max({side[0], side[1], side[2], kLeastSide});
+  const float longest = std::max({side[0], side[1], side[2]});
+  stretch_ = longest < kShort ? kStretch : 1.0f;
+  scale_ = longest > 0.0f ? kCells / (longest * stretch_) : 0.0f;
 }
 
 std::uint64_t MortonGrid::code(Lanes centre) const {
-  const IntLanes cell = __builtin_convertvector((without_lane_3(centre) - origin_) * scale_, IntLanes);
+  const IntLanes cell = __builtin_convertvector((without_lane_3(centre) - origin_) * stretch_ * scale_, IntLanes);
   const auto bits = [&](int axis) { return spread_bits(static_cast<std::uint32_t>(cell[axis])); };
   return bits(0) << 2 | bits(1) << 1 | bits(2);
 }

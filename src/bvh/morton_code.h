@@ -9,7 +9,7 @@ namespace vernier {
 /// Cubic cells over the doubled centres of triangles, 2^21 along the longest side.
 class MortonGrid {
  public:
-  /// `centres` bounds the doubled centres that are asked for; finite. Sides below 1e-36 count as that long.
+  /// `centres` bounds the doubled centres that are asked for; finite, of any size.
   explicit MortonGrid(const LaneBox& centres);
 
   /// 63 bits, those of the cell's x, y and z in turn from the highest down, so that neighbours in this order are
@@ -19,6 +19,7 @@ class MortonGrid {
 
  private:
   Lanes origin_;
+  float stretch_;
   float scale_;
 };
 

@@ -14,7 +14,8 @@ using Ids = std::vector<std::uint32_t>;
 Ids kept_ids(std::vector<BvhTriangle> triangles, const std::function<bool(std::uint32_t)>& not_opaque,
              unsigned thread_count = 2) {
   const std::size_t before = triangles.size();
-  EXPECT_EQ(remove_hidden(triangles, not_opaque, thread_count), before - triangles.size());
+  const std::size_t removed = remove_hidden(triangles, not_opaque, thread_count);
+  EXPECT_EQ(removed, before - triangles.size());
   Ids ids;
   for (const BvhTriangle& one : triangles) ids.push_back(one.id);
   return ids;

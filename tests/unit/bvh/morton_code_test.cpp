@@ -42,6 +42,9 @@ TEST(MortonGrid, HugeAndTinyScenesHaveTheSameCodes) {
   const std::uint64_t code = MortonGrid(box_to(1, 1, 1)).code(centre);
   EXPECT_EQ(MortonGrid(box_to(0x1p100f, 0x1p100f, 0x1p100f)).code(centre * 0x1p100f), code);
   EXPECT_EQ(MortonGrid(box_to(0x1p-90f, 0x1p-90f, 0x1p-90f)).code(centre * 0x1p-90f), code);
+  // Denormal: the far corner is 2^9 steps from the origin, and the steps are told apart.
+  const MortonGrid grid(box_to(0x1p-140f, 0x1p-140f, 0x1p-140f));
+  EXPECT_LT(grid.code(Lanes{0x1p-149f, 0, 0, 0}), grid.code(Lanes{0x1p-148f, 0, 0, 0}));
 }
 
 }  // namespace
