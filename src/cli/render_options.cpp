@@ -63,9 +63,8 @@ void parse_choices(const RenderArguments& arguments, RenderSettings& settings) {
   settings.texture_filter =
       parse_choice("--texture-filter", arguments.texture_filter,
                    {TextureFilter::file, TextureFilter::nearest, TextureFilter::linear}, "file, nearest or linear");
-  settings.bvh =
-      parse_choice("--bvh", arguments.bvh, {BuildMethod::fast, BuildMethod::standard, BuildMethod::quality},
-                   "fast, default or quality");
+  settings.bvh = parse_choice("--bvh", arguments.bvh, {BuildMethod::fast, BuildMethod::standard, BuildMethod::quality},
+                              "fast, default or quality");
 }
 
 void check_crop(const RenderSettings& settings) {
