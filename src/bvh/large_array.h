@@ -40,6 +40,7 @@ struct LargeArrayAllocator {
     return static_cast<T*>(memory);
   }
 
+  /// Gives back what allocate returned.
   void deallocate(T* memory, std::size_t) {
     std::free(memory);
   }
