@@ -22,6 +22,7 @@ struct RenderArguments {
   std::string effects = "auto";
   std::string filter = "box";
   std::string texture_filter = "file";
+  std::string bvh = "default";
   std::string tile;
   std::string dispatch_ms = "100";
   std::string time_limit;

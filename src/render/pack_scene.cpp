@@ -76,7 +76,8 @@ std::vector<std::uint32_t> pack_lights(const std::vector<Light>& lights, const T
   return words;
 }
 
-PackedScene pack_scene(const Scene& scene, unsigned thread_count) {
+PackedScene pack_scene(const Scene& scene, unsigned thread_count, BuildMethod method,
+                       const std::function<void(double)>& progress) {
   PackedScene packed;
   const auto bake_start = std::chrono::steady_clock::now();
   packed.space = choose_traced_space(world_bounds(scene));
@@ -86,9 +87,8 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count) {
   const auto not_opaque = [&](std::uint32_t id) {
     return lets_light_pass(scene.materials[baked.triangles[4 * id + 3]]);
   };
-  const std::vector<BvhTriangle> visible = without_hidden(baked.corners, not_opaque);
-  packed.hidden_triangles = baked.corners.size() - visible.size();
-  packed.bvh = build_bvh(visible, not_opaque, thread_count);
+  packed.hidden_triangles = remove_hidden(baked.corners, not_opaque, thread_count);
+  packed.bvh = build_bvh(baked.corners, not_opaque, thread_count, method, progress);
   packed.bvh_build_ms = milliseconds_since(build_start);
   packed.triangles = std::move(baked.triangles);
   packed.triangle_ids = std::move(baked.triangle_ids);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "bvh/bvh.h"
@@ -30,8 +31,10 @@ struct PackedScene {
   double bvh_build_ms = 0.0;
 };
 
-/// Packs `scene`, which has passed validate_scene, building the BVH on `thread_count` threads (0: all cores).
-PackedScene pack_scene(const Scene& scene, unsigned thread_count);
+/// Packs `scene`, which has passed validate_scene, building the BVH by `method` on `thread_count` threads (0: all
+/// cores).
+PackedScene pack_scene(const Scene& scene, unsigned thread_count, BuildMethod method = BuildMethod::standard,
+                       const std::function<void(double share)>& progress = {});
 
 /// `light` in device layout.
 DeviceLight device_light(const Light& light, const TracedSpace& space);

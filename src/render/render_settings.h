@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bvh/build_method.h"
+
 namespace vernier {
 
 /// A rectangle of pixels, (x, y) its upper left corner.
@@ -54,8 +56,9 @@ struct RenderSettings {
   std::string effects = "auto";
   PixelFilter pixel_filter = PixelFilter::box;
   TextureFilter texture_filter = TextureFilter::file;
-  glm::ivec2 tile = glm::ivec2(0);     ///< pixels; 0: chosen. Never changes a bit
-  double dispatch_ms = 100.0;          ///< time budget of one submission
+  glm::ivec2 tile = glm::ivec2(0);  ///< pixels; 0: chosen. Never changes a bit
+  double dispatch_ms = 100.0;       ///< time budget of one submission
+  BuildMethod bvh = BuildMethod::standard;
   std::optional<double> error_target;  ///< sqrt(relMSE) at which sampling stops; spp is then the most of a pixel
   double time_limit_s = std::numeric_limits<double>::infinity();
   std::uint32_t seed = 0;

@@ -15,6 +15,7 @@ BAD_OPTIONS = {
     "--filter": ["gauss", "Box", ""],
     "--texture-filter": ["bilinear", ""],
     "--effects": ["shadow", "auto,", "auto,-fog", ","],
+    "--bvh": ["slow", "Fast", ""],
     "--tile": ["8", "0x8"],
     "--dispatch-ms": ["0", "-5", "inf", "x"],
     "--time-limit": ["0", "-1", "nan"],
