@@ -50,6 +50,7 @@ std::map<std::string, std::string*> option_places(RenderCommandArguments& argume
           {"effects", &render.effects},
           {"filter", &render.filter},
           {"texture-filter", &render.texture_filter},
+          {"bvh", &render.bvh},
           {"aov", &render.aov},
           {"seed", &render.seed}};
 }
