@@ -29,7 +29,7 @@ std::optional<OrbitView> dragged(const OrbitView& view, float height) {
   }
   const bool left = ImGui::IsMouseDown(ImGuiMouseButton_Left);
   if (ImGui::IsMouseDown(ImGuiMouseButton_Middle) || (left && io.KeyShift)) return panned(view, -right, down);
-  if (left) return orbited(view, right * kPi, -down * kPi);
+  if (left) return orbited(view, right * kPi, down * kPi);
   if (ImGui::IsMouseDown(ImGuiMouseButton_Right)) return zoomed(view, std::exp2(down * 3.0));
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <chrono>
+#include <cmath>
 
 #include "effects/detect_effects.h"
 #include "render/read_film.h"
@@ -26,6 +27,14 @@ double seconds_since(Clock::time_point start) {
 
 std::uint64_t total(const RayCounts& rays) {
   return rays.primary + rays.shadow + rays.reflection + rays.refraction;
+}
+
+/// `samples`, whole where only the rounding of a share keeps it from being so: a tile is more than a billionth of a
+/// picture.
+double without_rounding(double samples) {
+  constexpr double kLessThanATile = 1e-9;
+  const double nearest = std::round(samples);
+  return std::fabs(samples - nearest) < kLessThanATile ? nearest : samples;
 }
 
 bool counts_cost(const RenderSettings& settings) {
@@ -158,7 +167,7 @@ void ViewSession::note(const RenderProgress& progress, const TraceStart& start) 
   const double seconds = start.seconds + traced_s;
   state_.ms_per_tile = (seconds - state_.seconds) * 1000.0;
   state_.seconds = seconds;
-  state_.samples_done = progress.share * settings_.spp;
+  state_.samples_done = without_rounding(progress.share * settings_.spp);
   state_.rays_per_s = static_cast<double>(progress.rays - rays_) / traced_s;
   const double samples_per_s = (state_.samples_done - start.samples) / traced_s;
   state_.eta_s = samples_per_s > 0.0 ? std::max(goal() - state_.samples_done, 0.0) / samples_per_s : 0.0;

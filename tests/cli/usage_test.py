@@ -2,7 +2,7 @@
 
 import unittest
 
-from program import SCENE, USAGE, ProgramTest
+from program import FAILED, SCENE, USAGE, ProgramTest
 
 BAD_OPTIONS = {
     "--size": ["12", "0x5", "5x0", "-1x5", "70000x1", "4x4x4", "axb", "65536x65536", "", " 4x4"],
@@ -50,6 +50,18 @@ class UsageTest(ProgramTest):
         self.check_error(USAGE, "SCENE", "explain")
         self.check_error(USAGE, "--output", "reference", SCENE)
         self.check_error(USAGE, "B", "diff", "a.png")
+
+    def test_view_reads_its_options_before_a_window_opens(self):
+        self.check_error(USAGE, "--size", "view", SCENE, "--size", "0x5")
+        self.check_error(USAGE, "--effects", "view", SCENE, "--effects", "auto,-fog")
+        self.check_error(USAGE, "--script", "view", SCENE, "--record", "shots")
+        self.check_error(USAGE, "--record", "view", SCENE, "--script", "script.txt")
+        self.check_error(USAGE, "--crop", "view", SCENE, "--crop", "0,0,1,1")
+        self.assertEqual(self.files(), [])
+
+    def test_view_without_a_screen(self):
+        # Where the window was not built, the line says what to install.
+        self.check_error(FAILED, "window", "view", SCENE, environment={"DISPLAY": "", "WAYLAND_DISPLAY": ""})
 
     def test_option_given_twice(self):
         self.check_error(USAGE, "--spp", "render", SCENE, "--spp", "1", "--spp", "2")

@@ -32,7 +32,7 @@ class View:
         self.places_file.unlink(missing_ok=True)
         self.errors = open(folder / "stderr.txt", "w+", encoding="utf-8")
         environment = {**os.environ, "DISPLAY": screen.name, "VERNIER_VALIDATION": "1", "XDG_STATE_HOME": str(folder),
-                       "VERNIER_PIPELINE_CACHE": str(folder)}
+                       "VERNIER_PIPELINE_CACHE": screen.folder.name}
         self.process = subprocess.Popen([PROGRAM, "view", *map(str, arguments), "--places", str(self.places_file)],
                                         cwd=folder, env=environment, stderr=self.errors, stdout=self.errors)
 
@@ -126,5 +126,5 @@ class WindowTest(unittest.TestCase):
         done = subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True,
                               timeout=120, env={**os.environ, "DISPLAY": self.screen.name,
                                                 "VERNIER_VALIDATION": "1", "XDG_STATE_HOME": str(self.folder),
-                                                "VERNIER_PIPELINE_CACHE": str(self.folder)})
+                                                "VERNIER_PIPELINE_CACHE": self.screen.folder.name})
         return done.returncode, done.stderr + done.stdout
