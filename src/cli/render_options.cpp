@@ -180,9 +180,10 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
   add_effects_option(app, arguments.effects);
   // For tests: not in the help, and a pipeline of its own that is slower.
   app.add_flag("--count-effects", arguments.count_effects, "adds effect_runs and rays_by_depth to --json")->group("");
-  app.add_option("--bvh", arguments.bvh,
-                 "how the tree of boxes is built: fast (Morton codes), default (surface areas, 16 bins) or quality "
-                 "(surface areas, all splits); never changes a bit of the image (default: default)")
+  app.add_option(
+         "--bvh", arguments.bvh,
+         "how the tree of boxes is built: fast (Morton codes), default (surface areas, 16 bins) or quality "
+         "(surface areas, all splits); never changes a bit of the image, but of its layer cost (default: default)")
       ->type_name("METHOD");
   add_dispatch_options(app, arguments);
   app.add_option("--time-limit", arguments.time_limit,
