@@ -4,6 +4,7 @@
 #define VERNIER_SAMPLE_PATTERN_GLSL
 
 #include "shared/glsl.h"
+#include "shared/render_constants.h"
 
 // "lowbias32" (Wellons 2018, "Prospecting for Hash Functions").
 uint hash_word(IN(uint) word) {
@@ -40,6 +41,18 @@ uint sobol_1(IN(uint) index) {
 }
 
 float unit_float(IN(uint) word) { return float(word >> 8) * 5.9604644775390625e-8f; }  // 2^-24: exact
+
+// The place in [-1/2, 3/2) at which a tent of width 2 around 1/2 has the share u of its area to the left.
+float tent_place(IN(float) u) {
+  float rising = sqrt(2.0f * u);
+  float falling = 2.0f - sqrt(2.0f - 2.0f * u);
+  return (u < 0.5f ? rising : falling) - 0.5f;
+}
+
+// `offset` in [0, 1)^2 spread as the filter weighs its pixel's surroundings: samples then count alike.
+vec2 filtered_offset(IN(vec2) offset, IN(uint) pixel_filter) {
+  return pixel_filter == PIXEL_FILTER_TENT ? vec2(tent_place(offset.x), tent_place(offset.y)) : offset;
+}
 
 // Offset in [0, 1)^2 of sample number `s` in pixel (x, y); the centre where the image has one sample per pixel.
 vec2 sample_offset(IN(uint) x, IN(uint) y, IN(uint) s, IN(uint) seed, IN(uint) spp) {

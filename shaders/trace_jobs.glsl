@@ -15,7 +15,10 @@ void begin_path(INOUT(Path) path, IN(uint) job) {
   uint x = dispatch_constants().tile_x + place.x;
   uint y = dispatch_constants().tile_y + place.y;
   uvec2 key = mutated(MUTATION_TILE_PATTERN) ? uvec2(place.x, place.y) : uvec2(x, y);
-  vec2 offset = sample_offset(key.x, key.y, place.sample_index, constants.seed, steering_constants().spp);
+  SteeringConstants steering = steering_constants();
+  vec2 offset = sample_offset(key.x, key.y, place.sample_index, constants.seed, steering.spp);
+  // One sample stays in the middle, which a tent leaves where it is.
+  offset = filtered_offset(offset, steering.pixel_filter);
   Ray ray = camera_ray(vec2(float(x), float(y)) + offset);
   path.job = job < job_count() && is_in_tile(place) ? job : NONE;
   path.hit = false;

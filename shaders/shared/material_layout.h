@@ -59,11 +59,12 @@ struct DeviceLight {
 #define MATERIAL_TEXELS (MATERIAL_OWN_TEXELS + TEXTURE_USE_TEXELS * uint(TEXTURE_SLOT_COUNT))
 #define LIGHT_TEXELS 4u
 
-// Word 3 of a texture: format | wrap_u << 4 | wrap_v << 6 | filter << 8.
+// Word 3 of a texture: format | wrap_u << 4 | wrap_v << 6 | filter << 8 | filter of the file << 9.
 #define TEXTURE_FORMAT_MASK 15u
 #define TEXTURE_WRAP_U_SHIFT 4u
 #define TEXTURE_WRAP_V_SHIFT 6u
 #define TEXTURE_FILTER_SHIFT 8u
+#define TEXTURE_FILE_FILTER_SHIFT 9u
 // Words before the first texel: the sRGB curve.
 #define SRGB_CURVE_WORDS 256u
 

@@ -14,6 +14,10 @@ using glm::vec3;
 // Marks an attribute, texture or id that is not there.
 #define NONE 0xffffffffu
 
+// How a pixel weighs its samples (README, Image formation 1): 1 within the pixel, or a tent two pixels wide.
+#define PIXEL_FILTER_BOX 0u
+#define PIXEL_FILTER_TENT 1u
+
 struct RenderConstants {
   vec3 camera_origin;  // units
   uint image_width;    // pixels of the full image
@@ -46,6 +50,7 @@ struct SteeringConstants {
   uint uv23_texel;     // (uv set 2, uv set 3)
   uint color_texel;
   uint tangent_texel;
+  uint pixel_filter;  // PIXEL_FILTER_*
 };
 
 // One dispatch; steering constants go with it.
@@ -68,7 +73,7 @@ struct DispatchConstants {
 
 #ifdef __cplusplus
 static_assert(sizeof(RenderConstants) == 4 * (6 * 4 + 6 + 27));
-static_assert(sizeof(DispatchConstants) == 4 * (13 + 11));
+static_assert(sizeof(DispatchConstants) == 4 * (13 + 12));
 }  // namespace vernier
 #endif
 

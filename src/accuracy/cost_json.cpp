@@ -178,7 +178,9 @@ nlohmann::ordered_json cost_json(const Sweep& sweep, const SweepSetup& setup, co
                       {"max_bounces", settings.max_bounces},
                       {"cutoff", settings.cutoff},
                       {"accuracy", to_string(settings.accuracy)},
-                      {"effects", settings.effects}};
+                      {"effects", settings.effects},
+                      {"filter", to_string(settings.pixel_filter)},
+                      {"texture_filter", to_string(settings.texture_filter)}};
   json["complete"] = sweep.complete;
   json["budget_s"] = names.budget_s;
   json["seconds"] = sweep.seconds;
@@ -197,8 +199,6 @@ nlohmann::ordered_json cost_json(const Sweep& sweep, const SweepSetup& setup, co
   json["pareto"] = pareto_json(sweep, all);
   json["recommendations"] = recommendations_json(sweep, all, names);
   json["left_out"] = sweep.left_out;
-  // The program has a box filter over the pixel and bilinear textures, and no option for either.
-  json["not_swept"] = {"image filter", "texture filtering"};
   return json;
 }
 

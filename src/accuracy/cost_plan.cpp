@@ -94,6 +94,19 @@ void add_cutoffs(const CostPlanInput& input, std::vector<CostPoint>& points) {
   }
 }
 
+void add_filters(const CostPlanInput& input, std::vector<CostPoint>& points) {
+  RenderSettings settings = input.settings;
+  settings.pixel_filter = PixelFilter::tent;
+  if (input.settings.pixel_filter != settings.pixel_filter) {
+    points.push_back(point_of("filter", "tent filter", settings, "filter", "tent"));
+  }
+  settings = input.settings;
+  settings.texture_filter = TextureFilter::nearest;
+  if (input.has_textures && input.settings.texture_filter != settings.texture_filter) {
+    points.push_back(point_of("filter", "nearest texels", settings, "texture-filter", "nearest"));
+  }
+}
+
 void add_effects(const CostPlanInput& input, std::vector<CostPoint>& points) {
   for (const EffectReason& effect : input.effects.reasons) {
     if (!effect.on) continue;
@@ -123,6 +136,7 @@ std::vector<CostPoint> plan_points(const CostPlanInput& input) {
   add_levels(input, points);
   add_bounces(input, points);
   add_cutoffs(input, points);
+  add_filters(input, points);
   add_effects(input, points);
   if (input.with_spots) add_spots(input, points);
   return points;

@@ -14,7 +14,7 @@ namespace vernier {
 /// Settings that the sweep measures.
 struct CostPoint {
   std::string name;  ///< as people read it: `4 bounces`
-  std::string axis;  ///< spp, adaptive, level, bounces, cutoff, effects or spot
+  std::string axis;  ///< spp, adaptive, level, bounces, cutoff, filter, effects or spot
   RenderSettings settings;
   std::vector<std::pair<std::string, std::string>> options;  ///< of `vernier render`, without dashes
   bool has_command = true;                                   ///< false: no option of render says it
@@ -26,6 +26,7 @@ struct CostPlanInput {
   EffectSet effects;             ///< of those settings
   std::uint32_t most_spp = 256;  ///< of the axis of samples
   double error_at_16 = 0.1;      ///< sqrt(relMSE) of 16 samples, for the targets of adaptive sampling
+  bool has_textures = true;      ///< the scene has: else their filter is no axis
   bool with_spots = true;        ///< a level at each spot alone
 };
 

@@ -110,7 +110,8 @@ class Bench {
     const double compare_ms = ms_since(start);
     constexpr double kLongestShare = 0.05;  // of the budget, for a run of the longest point
     constexpr std::uint64_t kAnyNumber = 1u << 20;
-    CostPlanInput input{setup_.settings, plan_, 0, figures.rel_error, !setup_.quick};
+    CostPlanInput input{setup_.settings, plan_, 0, figures.rel_error, !staged_.packed().textures.empty(),
+                        !setup_.quick};
     input.most_spp = most_spp(setup_.truth ? kAnyNumber : sweep_.reference.spp, ms_per_sample,
                               kLongestShare * setup_.budget_s * 1000.0 / kLeastRuns);
     const std::vector<CostPoint> points = plan_points(input);
@@ -130,7 +131,8 @@ class Bench {
   PointTime expected(const CostPoint& point, double ms_per_sample, double compare_ms, double error_at_16) const {
     double samples = point.settings.spp;
     if (point.settings.error_target) samples = 16.0 * std::pow(error_at_16 / *point.settings.error_target, 2.0);
-    const bool shares_pipeline = point.axis == "spp" || point.axis == "bounces" || point.axis == "cutoff";
+    const bool shares_pipeline =
+        point.axis == "spp" || point.axis == "bounces" || point.axis == "cutoff" || point.axis == "filter";
     // Two times what a sample takes: listed pixels and the exact level are slower.
     const double slower = shares_pipeline ? 1.0 : 2.0;
     return {shares_pipeline ? 0.0 : compile_ms_, slower * samples * ms_per_sample + compare_ms};

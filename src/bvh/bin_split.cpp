@@ -5,7 +5,7 @@
 #include <limits>
 #include <mutex>
 
-#include "bvh/parallel_for.h"
+#include "math/parallel_for.h"
 
 namespace vernier {
 namespace {

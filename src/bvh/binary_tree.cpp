@@ -1,126 +1,53 @@
 #include "bvh/binary_tree.h"
 
 #include <algorithm>
-#include <array>
+#include <numeric>
+#include <vector>
 
-#include "bvh/bin_split.h"
+#include "bvh/area_tree.h"
 #include "bvh/box.h"
-#include "bvh/median_split.h"
-#include "bvh/parallel_for.h"
-#include "bvh/sweep_split.h"
-#include "bvh/work_queue.h"
+#include "bvh/morton_tree.h"
+#include "math/parallel_for.h"
 
 namespace vernier {
 namespace {
 
-// From this depth on only medians: the surface area heuristic may peel off one triangle at a time.
-constexpr std::uint32_t kMedianDepth = 48;
-// Subtrees of up to this many triangles are built by one thread.
-constexpr std::size_t kTaskSize = 4096;
-// A way down is at most kMedianDepth + log2(2^31) nodes long, and leaves one subtree waiting at each.
-constexpr std::size_t kLongestWay = kMedianDepth + 31 + 1;
+// Nodes per piece of a sum: fixed, so that it does not depend on the number of threads.
+constexpr std::size_t kPiece = 65536;
 
-// A range of two or more references that becomes the subtree with root `node`.
-struct Subtree {
-  std::size_t begin, end;
-  std::uint32_t node;
-  std::uint32_t depth;
-  ReferenceBounds bounds;
-
-  std::size_t size() const { return end - begin; }
-};
-
-class TreeBuilder {
- public:
-  TreeBuilder(TriangleReference* references, std::size_t count, BinaryNode* nodes, float area_scale)
-      : references_(references), nodes_(nodes), area_scale_(area_scale), queue_(count / kTaskSize + 2) {}
-
-  // Splits the root on all threads together, then lets them take subtrees.
-  void build(const Subtree& root, unsigned thread_count) {
-    Children children = make_node(root, thread_count);
-    for (const Subtree& child : children) {
-      if (child.size() > 1) {
-        queue_.push(child);
-      }
+double half_area_sum(std::span<const BinaryNode> nodes, unsigned thread_count) {
+  std::vector<double> sums((nodes.size() + kPiece - 1) / kPiece, 0.0);
+  parallel_for(thread_count, sums.size(), [&](std::size_t piece) {
+    const std::size_t first = piece * kPiece;
+    for (const BinaryNode& node : nodes.subspan(first, std::min(kPiece, nodes.size() - first))) {
+      sums[piece] += half_area(node.box);
     }
-    parallel_for(thread_count, thread_count, [this](std::size_t) {
-      while (const std::optional<Subtree> subtree = queue_.take()) {
-        build_subtree(*subtree);
-        queue_.finish();
-      }
-    });
+  });
+  return std::accumulate(sums.begin(), sums.end(), 0.0);
+}
+
+// Each inner node counts 1 and each leaf 1 + 1, weighed by area.
+double sah_cost(const BinaryTree& tree, double leaf_half_area_sum, unsigned thread_count) {
+  return (2.0 * leaf_half_area_sum + half_area_sum(tree.nodes, thread_count)) / half_area(tree.bounds);
+}
+
+void fill_nodes(TriangleReferences& references, BuildMethod method, BinaryNode* nodes, unsigned thread_count,
+                const CountDone& done) {
+  switch (method) {
+    case BuildMethod::fast:
+      return fill_nodes_by_code(references, nodes, thread_count, done);
+    case BuildMethod::standard:
+      return fill_nodes_by_area(references, SplitSearch::bins, nodes, thread_count, done);
+    case BuildMethod::quality:
+      return fill_nodes_by_area(references, SplitSearch::all, nodes, thread_count, done);
   }
-
- private:
-  using Children = std::array<Subtree, 2>;
-
-  Split split(const Subtree& subtree, unsigned thread_count) {
-    const std::span<TriangleReference> references(references_ + subtree.begin, subtree.size());
-    if (subtree.depth >= kMedianDepth) {
-      return split_by_median(references, subtree.bounds);
-    }
-    if (references.size() <= kSweepLimit) {
-      return split_by_sweep(references, area_scale_);
-    }
-    const std::optional<Split> split = split_by_bins(references, subtree.bounds, area_scale_, thread_count);
-    return split ? *split : split_by_median(references, subtree.bounds);
-  }
-
-  // A child of one reference is a leaf; a larger one has its nodes where BinaryTree says.
-  Children make_node(const Subtree& subtree, unsigned thread_count) {
-    const Split halves = split(subtree, thread_count);
-    const std::size_t middle = subtree.begin + halves.middle;
-    const auto right_node = subtree.node + static_cast<std::uint32_t>(halves.middle);
-    const Children children = {Subtree{subtree.begin, middle, subtree.node + 1, subtree.depth + 1, halves.left},
-                               Subtree{middle, subtree.end, right_node, subtree.depth + 1, halves.right}};
-    nodes_[subtree.node] = {box_from(subtree.bounds.box), child_of(children[0]), child_of(children[1])};
-    return children;
-  }
-
-  BinaryChild child_of(const Subtree& subtree) const {
-    return subtree.size() == 1 ? kLeafBit | triangle_index(references_[subtree.begin]) : subtree.node;
-  }
-
-  // Where both halves are large the right one goes to the queue (at most count / kTaskSize times), others wait here.
-  void build_subtree(const Subtree& first) {
-    std::array<Subtree, kLongestWay> waiting;
-    std::size_t waiting_count = 0;
-    waiting[waiting_count++] = first;
-    while (waiting_count > 0) {
-      const Subtree subtree = waiting[--waiting_count];
-      const Children children = make_node(subtree, 1);
-      const bool both_are_large = std::min(children[0].size(), children[1].size()) > kTaskSize;
-      if (both_are_large) {
-        queue_.push(children[1]);
-      } else if (children[1].size() > 1) {
-        waiting[waiting_count++] = children[1];
-      }
-      if (children[0].size() > 1) {
-        waiting[waiting_count++] = children[0];
-      }
-    }
-  }
-
-  TriangleReference* references_;
-  BinaryNode* nodes_;
-  float area_scale_;
-  WorkQueue<Subtree> queue_;
-};
-
-// Each inner node counts 1 and each leaf 1 + 1, weighed by area; one by one in order of their numbers, so that the sum
-// does not depend on threads.
-double sah_cost(const BinaryTree& tree, double leaf_half_area_sum) {
-  double sum = 2.0 * leaf_half_area_sum;
-  for (std::size_t i = 0; i + 1 < tree.leaf_count; ++i) {
-    sum += half_area(tree.nodes[i].box);
-  }
-  return sum / half_area(tree.bounds);
 }
 
 }  // namespace
 
-BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, unsigned thread_count) {
-  const TriangleReferences references = make_references(triangles, thread_count);
+BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, BuildMethod method, unsigned thread_count,
+                             const CountDone& done) {
+  TriangleReferences references = make_references(triangles, thread_count);
   BinaryTree tree;
   tree.leaf_count = static_cast<std::uint32_t>(references.count);
   if (references.count == 0) {
@@ -130,13 +57,10 @@ BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, unsigned th
   if (references.count == 1) {
     tree.root = kLeafBit | triangle_index(references.all[0]);
   } else {
-    tree.nodes = std::make_unique_for_overwrite<BinaryNode[]>(references.count - 1);
-    // Any scale would do that keeps products of sides inside float; the smallest normal side is enough of a floor.
-    const float area_scale = 1.0f / std::max(longest_side(tree.bounds), 0x1p-126f);
-    TreeBuilder builder(references.all.get(), references.count, tree.nodes.get(), area_scale);
-    builder.build({0, references.count, 0, 0, references.bounds}, thread_count);
+    tree.nodes.resize(references.count - 1);
+    fill_nodes(references, method, tree.nodes.data(), thread_count, done);
   }
-  tree.sah_cost = sah_cost(tree, references.half_area_sum);
+  tree.sah_cost = sah_cost(tree, references.half_area_sum, thread_count);
   return tree;
 }
 

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 
+#include "bvh/build_method.h"
+#include "bvh/build_progress.h"
 #include "bvh/bvh.h"
+#include "bvh/large_array.h"
 
 namespace vernier {
 
@@ -30,9 +32,9 @@ struct BinaryNode {
 /// Binary tree with one triangle per leaf. The m - 1 nodes of a subtree of m triangles lie together, the subtree's root
 /// first, then those of its left child, then those of its right child.
 struct BinaryTree {
-  std::unique_ptr<BinaryNode[]> nodes;  ///< leaf_count - 1 of them
-  std::uint32_t leaf_count = 0;         ///< triangles that have area
-  BinaryChild root = 0;                 ///< meaningless for an empty tree
+  LargeArray<BinaryNode> nodes;  ///< leaf_count - 1 of them
+  std::uint32_t leaf_count = 0;  ///< triangles that have area
+  BinaryChild root = 0;          ///< meaningless for an empty tree
   Box bounds;
   double sah_cost = 0.0;  ///< see Bvh
 };
@@ -42,9 +44,13 @@ inline std::uint32_t left_leaf_count(const BinaryNode& node, std::uint32_t node_
   return is_leaf(node.right) ? leaf_count - 1 : node.right - node_index;
 }
 
-/// Builds the tree over all triangles that have area, by the surface area heuristic down to depth 48 and by medians
-/// below, on `thread_count` (at least 1) threads; bit-identical for every number of them.
-/// Fewer than 2^31 triangles with finite coordinates. Takes 64 bytes per triangle, keeps 32.
-BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, unsigned thread_count);
+/// From this depth on ranges are halved: neither areas nor codes keep a split from peeling off one triangle at a time.
+inline constexpr std::uint32_t kMedianDepth = 48;
+
+/// Builds the tree over all triangles that have area by `method`, on `thread_count` (at least 1) threads; bit-identical
+/// for every number of them. `done` is told of triangles that have their place. Fewer than 2^31 triangles with finite
+/// coordinates. Takes 64 bytes per triangle, with BuildMethod::fast 96; keeps 32.
+BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, BuildMethod method, unsigned thread_count,
+                             const CountDone& done = {});
 
 }  // namespace vernier

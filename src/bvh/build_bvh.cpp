@@ -3,10 +3,11 @@
 #include <string>
 
 #include "bvh/binary_tree.h"
+#include "bvh/build_progress.h"
 #include "bvh/collapse.h"
 #include "bvh/encode_bvh.h"
-#include "bvh/parallel_for.h"
 #include "error.h"
+#include "math/parallel_for.h"
 #include "shared/bvh_record.h"
 
 namespace vernier {
@@ -25,12 +26,13 @@ void refuse_too_many(std::size_t triangle_count) {
 }  // namespace
 
 Bvh build_bvh(std::span<const BvhTriangle> triangles, const std::function<bool(std::uint32_t)>& not_opaque,
-              unsigned thread_count) {
+              unsigned thread_count, BuildMethod method, const std::function<void(double)>& progress) {
   refuse_too_many(triangles.size());
   const unsigned threads = resolve_thread_count(thread_count);
-  const BinaryTree tree = build_binary_tree(triangles, threads);
-  const CollapsePlans plans = tree.leaf_count > 1 ? plan_collapse(tree, threads) : nullptr;
-  return encode_bvh(tree, plans, triangles, not_opaque, threads);
+  BuildProgress done(progress, triangles.size());
+  const BinaryTree tree = build_binary_tree(triangles, method, threads, done.tree_stage());
+  const CollapsePlans plans = tree.leaf_count > 1 ? plan_collapse(tree, threads) : CollapsePlans();
+  return encode_bvh(tree, plans, triangles, not_opaque, threads, done.record_stage());
 }
 
 }  // namespace vernier

@@ -3,7 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
-#include <vector>
+
+#include "bvh/large_array.h"
 
 namespace vernier {
 
@@ -26,7 +27,7 @@ using BvhRecord = std::array<std::uint32_t, 12>;
 /// A bounding volume hierarchy of degree 4 in device layout. records[0] is the root; the children of a node are
 /// contiguous. Empty when there is no triangle.
 struct Bvh {
-  std::vector<BvhRecord> records;
+  LargeArray<BvhRecord> records;
   Box bounds;  ///< unpadded bounds of the triangles in the tree
   std::uint32_t triangle_count = 0;
   std::uint32_t node_count = 0;

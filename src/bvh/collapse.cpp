@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "bvh/box.h"
-#include "bvh/parallel_for.h"
+#include "math/parallel_for.h"
 
 namespace vernier {
 namespace {
@@ -106,7 +106,7 @@ void gather(const BinaryTree& tree, const CollapsePlans& plans, WideChildren::Ch
 
 CollapsePlans plan_collapse(const BinaryTree& tree, unsigned thread_count) {
   const double area_scale = 1.0 / half_area(tree.bounds);
-  CollapsePlans plans = std::make_unique_for_overwrite<CollapsePlan[]>(tree.leaf_count - 1);
+  CollapsePlans plans(tree.leaf_count - 1);
   std::vector<Range> tasks;
   std::vector<std::uint32_t> upper_nodes;
   split_into_tasks(tree, tasks, upper_nodes);

@@ -2,9 +2,9 @@
 
 #include <array>
 #include <cstdint>
-#include <memory>
 
 #include "bvh/binary_tree.h"
+#include "bvh/large_array.h"
 
 namespace vernier {
 
@@ -19,7 +19,7 @@ struct CollapsePlan {
 };
 
 /// Plans for every binary node, by its number.
-using CollapsePlans = std::unique_ptr<CollapsePlan[]>;
+using CollapsePlans = LargeArray<CollapsePlan>;
 
 /// Finds the collapse to degree 4 whose nodes have the least sum of areas, by dynamic programming from the leaves up
 /// (after Ylitie, Karras, Laine 2017, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, 3.1;

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "bvh/box.h"
-#include "bvh/parallel_for.h"
 #include "bvh/zero_area.h"
+#include "math/parallel_for.h"
 
 namespace vernier {
 namespace {
@@ -53,15 +53,15 @@ ReferenceBounds bounds_of(std::span<const TriangleReference> references) {
 
 TriangleReferences make_references(std::span<const BvhTriangle> triangles, unsigned thread_count) {
   TriangleReferences references;
-  references.all = std::make_unique_for_overwrite<TriangleReference[]>(triangles.size());
+  references.all.resize(triangles.size());
   std::vector<Chunk> chunks((triangles.size() + kChunk - 1) / kChunk);
   parallel_for(thread_count, chunks.size(), [&](std::size_t i) {
     const std::size_t first = i * kChunk;
-    chunks[i] = fill_chunk(triangles, first, std::min(first + kChunk, triangles.size()), references.all.get() + first);
+    chunks[i] = fill_chunk(triangles, first, std::min(first + kChunk, triangles.size()), references.all.data() + first);
   });
   for (std::size_t i = 0; i < chunks.size(); ++i) {
-    TriangleReference* from = references.all.get() + i * kChunk;
-    TriangleReference* to = references.all.get() + references.count;
+    TriangleReference* from = references.all.data() + i * kChunk;
+    TriangleReference* to = references.all.data() + references.count;
     if (from != to) {
       std::copy(from, from + chunks[i].count, to);
     }

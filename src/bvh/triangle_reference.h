@@ -1,10 +1,10 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 
 #include "bvh/lanes.h"
+#include "bvh/large_array.h"
 
 namespace vernier {
 
@@ -42,7 +42,7 @@ ReferenceBounds bounds_of(std::span<const TriangleReference> references);
 
 /// References to all triangles that have area, in input order.
 struct TriangleReferences {
-  std::unique_ptr<TriangleReference[]> all;
+  LargeArray<TriangleReference> all;  ///< the first `count` of them
   std::size_t count = 0;
   ReferenceBounds bounds;
   double half_area_sum = 0.0;  ///< of the triangles' boxes, added in the same order for every thread count

@@ -1,6 +1,7 @@
 #include <spawn.h>
 #include <sys/wait.h>
 
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -183,6 +184,7 @@ void add_cost_command(CLI::App& app, Command& chosen) {
                   "samples per pixel where other settings are compared; at least 2 (default: 16)")
       ->type_name("N");
   add_path_options(command, arguments->render);
+  add_filter_options(command, arguments->render);
   add_accuracy_option(command, arguments->render.accuracy);
   add_effects_option(command, arguments->render.effects);
   add_scene_options(command, arguments->scene);

@@ -14,6 +14,8 @@ std::string point_command(const SceneArguments& scene, const RenderArguments& re
     if (name == "max-bounces") changed.max_bounces = value;
     if (name == "cutoff") changed.cutoff = value;
     if (name == "effects") changed.effects = value;
+    if (name == "filter") changed.filter = value;
+    if (name == "texture-filter") changed.texture_filter = value;
   }
   return short_render_command(scene, changed, "render.exr");
 }

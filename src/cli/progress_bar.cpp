@@ -30,7 +30,7 @@ bool known(double value) {
 
 ProgressState WorkClock::at(double share) const {
   const double seconds = std::chrono::duration<double>(steady_clock::now() - start_).count();
-  return {share, 0.0, share > 0.0 ? seconds * (1.0 - share) / share : 0.0};
+  return {share, 0.0, share > 0.0 ? seconds * (1.0 - share) / share : 0.0, ""};
 }
 
 std::string clock_text(double seconds) {
@@ -58,7 +58,8 @@ std::string rate_text(double rays_per_s) {
 
 std::string progress_line(const ProgressState& state, int bar_width) {
   const double share = std::isfinite(state.share) ? std::clamp(state.share, 0.0, 1.0) : 0.0;
-  std::string line = bar_width > 0 ? bar(share, bar_width) : "";
+  std::string line = state.work.empty() ? "" : std::string(state.work) + " ";
+  line += bar_width > 0 ? bar(share, bar_width) : "";
   char text[64];
   std::snprintf(text, sizeof text, "%3d %%", static_cast<int>(share * 100.0));
   line += text;

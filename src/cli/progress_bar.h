@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <string>
+#include <string_view>
 
 namespace vernier {
 
@@ -10,6 +11,7 @@ struct ProgressState {
   double share = 0.0;       ///< in [0, 1]
   double rays_per_s = 0.0;  ///< 0: nothing is traced
   double eta_s = 0.0;
+  std::string_view work = "";  ///< what is done, before the bar; empty for the render itself
 };
 
 /// Tells the time left from the share of the work that is done. Starts when it is made.

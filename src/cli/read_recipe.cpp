@@ -42,11 +42,15 @@ std::map<std::string, std::string*> option_places(RenderCommandArguments& argume
           {"background", &scene.background},
           {"ambient", &scene.ambient},
           {"spp", &render.spp},
+          {"error-target", &render.error_target},
           {"sample-range", &render.sample_range},
           {"max-bounces", &render.max_bounces},
           {"cutoff", &render.cutoff},
           {"accuracy", &render.accuracy},
           {"effects", &render.effects},
+          {"filter", &render.filter},
+          {"texture-filter", &render.texture_filter},
+          {"bvh", &render.bvh},
           {"aov", &render.aov},
           {"seed", &render.seed}};
 }

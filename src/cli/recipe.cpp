@@ -70,6 +70,9 @@ nlohmann::ordered_json recipe_options(const SceneArguments& scene, const RenderA
   put(options, "cutoff", render.cutoff);
   put(options, "accuracy", render.accuracy);
   put(options, "effects", render.effects);
+  put(options, "filter", render.filter);
+  put(options, "texture-filter", render.texture_filter);
+  put(options, "bvh", render.bvh);  // no colour hangs on it, but the layer cost does
   put(options, "aov", render.aov);
   put(options, "seed", render.seed);
   return options;

@@ -1,3 +1,4 @@
+#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 
@@ -37,8 +38,20 @@ ReferenceSettings reference_settings(const ReferenceArguments& arguments) {
   settings.max_bounces = render.max_bounces;
   settings.cutoff = parse_number("--cutoff", arguments.render.cutoff);  // in double, as given
   settings.seed = render.seed;
+  settings.tent_filter = render.pixel_filter == PixelFilter::tent;
   settings.thread_count = parse_count("--threads", arguments.threads, 0, kMaxThreads);
   return settings;
+}
+
+/// The reference looks textures up as the scene says, so the scene is told.
+void set_texture_filters(Scene& scene, const RenderArguments& arguments) {
+  const TextureFilter filter = parse_render_settings(arguments).texture_filter;
+  if (filter == TextureFilter::file) return;
+  for (std::size_t i = 0; i < scene.textures.size(); ++i) {
+    if (static_cast<int>(i) == scene.environment.texture) continue;
+    scene.textures[i].sampler.filter =
+        filter == TextureFilter::nearest ? TEXTURE_FILTER_NEAREST : TEXTURE_FILTER_LINEAR;
+  }
 }
 
 int run_reference(const ReferenceArguments& arguments) {
@@ -47,7 +60,8 @@ int run_reference(const ReferenceArguments& arguments) {
   const SceneSettings scene_settings = parse_scene_settings(arguments.scene);
   const DisplayTransform display{parse_exposure(arguments.exposure)};
   check_image_output(arguments.output);
-  const SceneSetup setup = set_up_scene(scene_settings, static_cast<double>(settings.width) / settings.height);
+  SceneSetup setup = set_up_scene(scene_settings, static_cast<double>(settings.width) / settings.height);
+  set_texture_filters(setup.scene, arguments.render);
   print_warnings(setup.scene.warnings);
   ImageFile image;
   {
@@ -81,6 +95,7 @@ void add_reference_command(CLI::App& app, Command& chosen) {
       ->required();
   add_size_option(command, arguments->render.size);
   add_sampling_options(command, arguments->render);
+  add_filter_options(command, arguments->render);
   command.add_option("--exposure", arguments->exposure, "stops added to display images, -100 to 100 (default: 0)")
       ->type_name("EV");
   command.add_option("--threads", arguments->threads, "threads; 0 is one per core (default: 0)")->type_name("N");

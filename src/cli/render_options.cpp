@@ -1,7 +1,9 @@
 #include "cli/render_options.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <array>
+#include <initializer_list>
 #include <limits>
 #include <sstream>
 
@@ -43,11 +45,26 @@ std::vector<std::string> parse_aovs(const std::string& list) {
   return aovs;
 }
 
-Accuracy parse_accuracy(const std::string& text) {
-  for (const Accuracy accuracy : {Accuracy::fast, Accuracy::robust, Accuracy::exact}) {
-    if (text == to_string(accuracy)) return accuracy;
+/// The one of `choices` whose name is `text`. Throws Error(usage) with `names`.
+template <typename Choice>
+Choice parse_choice(const char* option, const std::string& text, std::initializer_list<Choice> choices,
+                    const char* names) {
+  for (const Choice choice : choices) {
+    if (text == to_string(choice)) return choice;
   }
-  throw Error(ErrorKind::usage, "--accuracy: `" + text + "` is not fast, robust or exact");
+  throw Error(ErrorKind::usage, std::string(option) + ": `" + text + "` is not " + names);
+}
+
+void parse_choices(const RenderArguments& arguments, RenderSettings& settings) {
+  settings.accuracy = parse_choice("--accuracy", arguments.accuracy,
+                                   {Accuracy::fast, Accuracy::robust, Accuracy::exact}, "fast, robust or exact");
+  settings.pixel_filter =
+      parse_choice("--filter", arguments.filter, {PixelFilter::box, PixelFilter::tent}, "box or tent");
+  settings.texture_filter =
+      parse_choice("--texture-filter", arguments.texture_filter,
+                   {TextureFilter::file, TextureFilter::nearest, TextureFilter::linear}, "file, nearest or linear");
+  settings.bvh = parse_choice("--bvh", arguments.bvh, {BuildMethod::fast, BuildMethod::standard, BuildMethod::quality},
+                              "fast, default or quality");
 }
 
 void check_crop(const RenderSettings& settings) {
@@ -121,6 +138,16 @@ void add_sampling_options(CLI::App& app, RenderArguments& arguments) {
   add_path_options(app, arguments);
 }
 
+void add_filter_options(CLI::App& app, RenderArguments& arguments) {
+  app.add_option("--filter", arguments.filter,
+                 "how a pixel weighs samples: box (those within it alike) or tent (two pixels wide, smoother edges) "
+                 "(default: box)")
+      ->type_name("FILTER");
+  app.add_option("--texture-filter", arguments.texture_filter,
+                 "how textures are looked up: file (as it says), nearest or linear (default: file)")
+      ->type_name("FILTER");
+}
+
 void add_aov_option(CLI::App& app, std::string& aov) {
   app.add_option("--aov", aov,
                  "further layers: depth (metres), position (metres), normal, shading_normal, uv, albedo, object_id, "
@@ -148,10 +175,16 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
                  "samples A to B-1 of each pixel, for merging (default: 0:spp)")
       ->type_name("A:B");
   add_aov_option(app, arguments.aov);
+  add_filter_options(app, arguments);
   add_accuracy_option(app, arguments.accuracy);
   add_effects_option(app, arguments.effects);
   // For tests: not in the help, and a pipeline of its own that is slower.
   app.add_flag("--count-effects", arguments.count_effects, "adds effect_runs and rays_by_depth to --json")->group("");
+  app.add_option(
+         "--bvh", arguments.bvh,
+         "how the tree of boxes is built: fast (Morton codes), default (surface areas, 16 bins) or quality "
+         "(surface areas, all splits); never changes a bit of the image, but of its layer cost (default: default)")
+      ->type_name("METHOD");
   add_dispatch_options(app, arguments);
   app.add_option("--time-limit", arguments.time_limit,
                  "stop after S seconds with the samples done by then (default: none)")
@@ -183,7 +216,7 @@ RenderSettings parse_render_settings(const RenderArguments& arguments) {
   settings.max_bounces = parse_count("--max-bounces", arguments.max_bounces, 0, kMaxBounces);
   settings.cutoff = static_cast<float>(parse_number_in("--cutoff", arguments.cutoff, 0.0, 1.0));
   settings.seed = parse_count("--seed", arguments.seed, 0, kAnySeed);
-  settings.accuracy = parse_accuracy(arguments.accuracy);
+  parse_choices(arguments, settings);
   choose_effects(no_effects(), arguments.effects);  // refuses unknown names before any work is done
   settings.effects = arguments.effects;
   settings.count_effects = arguments.count_effects;

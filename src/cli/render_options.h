@@ -1,9 +1,12 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <string>
 
 #include "render/render_settings.h"
+
+namespace CLI {
+class App;
+}
 
 namespace vernier {
 
@@ -17,6 +20,9 @@ struct RenderArguments {
   std::string cutoff = "1/1024";
   std::string accuracy = "robust";
   std::string effects = "auto";
+  std::string filter = "box";
+  std::string texture_filter = "file";
+  std::string bvh = "default";
   std::string tile;
   std::string dispatch_ms = "100";
   std::string time_limit;
@@ -37,6 +43,9 @@ void add_sampling_options(CLI::App& app, RenderArguments& arguments);
 
 /// The same without --spp.
 void add_path_options(CLI::App& app, RenderArguments& arguments);
+
+/// Adds --filter and --texture-filter, which render and reference share.
+void add_filter_options(CLI::App& app, RenderArguments& arguments);
 
 /// Adds --accuracy.
 void add_accuracy_option(CLI::App& app, std::string& accuracy);

@@ -35,8 +35,13 @@ RenderResult render_with_progress(const Device& device, const SceneSetup& setup,
                                   const Metadata& recipe, const SavedFilm* resumed) {
   ProgressBar bar(plan.quiet);
   RenderCallbacks callbacks;
+  callbacks.building = [&bar, clock = WorkClock()](double share) {
+    ProgressState state = clock.at(share);
+    state.work = "BVH";
+    bar.update(state);
+  };
   callbacks.progress = [&bar](const RenderProgress& progress) {
-    bar.update({progress.share, progress.rays_per_s, progress.eta_s});
+    bar.update({progress.share, progress.rays_per_s, progress.eta_s, ""});
   };
   callbacks.cancelled = interrupted;
   callbacks.resumed = resumed;

@@ -1,5 +1,6 @@
 #include "cli/scene_options.h"
 
+#include <CLI/CLI.hpp>
 #include <glm/gtc/constants.hpp>
 
 #include "cli/parse_light.h"

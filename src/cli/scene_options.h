@@ -1,12 +1,15 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <glm/glm.hpp>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "scene/light.h"
+
+namespace CLI {
+class App;
+}
 
 namespace vernier {
 

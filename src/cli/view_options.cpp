@@ -1,5 +1,7 @@
 #include "cli/view_options.h"
 
+#include <CLI/CLI.hpp>
+
 #include "cli/parse_values.h"
 #include "error.h"
 
@@ -12,6 +14,7 @@ CLI::App& add_view_subcommand(CLI::App& app, ViewArguments& arguments) {
       ->type_name("");
   add_size_option(command, render.render.size);
   add_sampling_options(command, render.render);
+  add_filter_options(command, render.render);
   add_aov_option(command, render.render.aov);
   add_accuracy_option(command, render.render.accuracy);
   add_effects_option(command, render.render.effects);

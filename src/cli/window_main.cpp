@@ -1,4 +1,5 @@
 // The program with the window, which `vernier view` becomes.
+#include <CLI/CLI.hpp>
 #include <chrono>
 #include <cstdio>
 #include <exception>

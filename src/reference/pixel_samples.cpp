@@ -15,7 +15,8 @@ void check_settings(const ReferenceSettings& settings) {
 Ray sample_ray(const Camera& camera, const ReferenceSettings& settings, int x, int y, std::uint32_t sample) {
   const glm::dvec2 within = sample_position(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y), sample,
                                             settings.spp, settings.seed);
-  return camera_ray(camera, settings.width, settings.height, glm::dvec2(x, y) + within);
+  const glm::dvec2 place = settings.tent_filter ? tent_position(within) : within;
+  return camera_ray(camera, settings.width, settings.height, glm::dvec2(x, y) + place);
 }
 
 }  // namespace vernier::reference

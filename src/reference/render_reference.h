@@ -16,6 +16,7 @@ struct ReferenceSettings {
   std::uint32_t max_bounces = 8;
   double cutoff = 0.0009765625;
   std::uint32_t seed = 0;
+  bool tent_filter = false;   ///< PixelFilter::tent
   unsigned thread_count = 0;  ///< 0: all cores
 };
 

@@ -1,5 +1,7 @@
 #include "reference/sample_positions.h"
 
+#include <algorithm>
+#include <cmath>
 #include <initializer_list>
 
 namespace vernier::reference {
@@ -39,6 +41,12 @@ double unit_interval(std::uint32_t bits) {
   return (bits >> 8) * 0x1p-24;
 }
 
+// Inverse of the tent's integral, from the nearer of its feet.
+double tent_coordinate(double share) {
+  const double from_foot = std::sqrt(2.0 * std::min(share, 1.0 - share));
+  return share < 0.5 ? from_foot - 0.5 : 1.5 - from_foot;
+}
+
 }  // namespace
 
 glm::dvec2 sample_position(std::uint32_t x, std::uint32_t y, std::uint32_t sample, std::uint32_t spp,
@@ -48,6 +56,10 @@ glm::dvec2 sample_position(std::uint32_t x, std::uint32_t y, std::uint32_t sampl
   const std::uint32_t index = scramble(sample, hash(key + 1));
   return {unit_interval(scramble(reverse_bits(index), hash(key + 2))),
           unit_interval(scramble(second_sobol_dimension(index), hash(key + 3)))};
+}
+
+glm::dvec2 tent_position(glm::dvec2 place) {
+  return {tent_coordinate(place.x), tent_coordinate(place.y)};
 }
 
 }  // namespace vernier::reference

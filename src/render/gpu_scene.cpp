@@ -7,10 +7,11 @@
 namespace vernier {
 namespace {
 
-template <typename Element>
-Buffer uploaded(const Device& device, const std::vector<Element>& elements, BufferUse use) {
-  Buffer buffer(device, elements.size() * sizeof(Element), use);
-  if (!elements.empty()) buffer.upload(device, std::as_bytes(std::span(elements)));
+template <typename Elements>
+Buffer uploaded(const Device& device, const Elements& elements, BufferUse use) {
+  const auto bytes = std::as_bytes(std::span(elements));
+  Buffer buffer(device, bytes.size(), use);
+  if (!bytes.empty()) buffer.upload(device, bytes);
   return buffer;
 }
 
@@ -45,6 +46,10 @@ std::uint64_t GpuScene::size_bytes() const {
   std::uint64_t sum = 0;
   for (const Binding& binding : bindings()) sum += binding.buffer->size_bytes();
   return sum;
+}
+
+void GpuScene::set_textures(const Device& device, const std::vector<std::uint32_t>& words) {
+  textures_.upload(device, std::as_bytes(std::span(words)));
 }
 
 void GpuScene::set_constants(const Device& device, const RenderConstants& constants,

@@ -30,6 +30,8 @@ class GpuScene {
   std::uint64_t size_bytes() const;
   /// Replaces the constants (camera, size, samples).
   void set_constants(const Device& device, const RenderConstants& constants, const SteeringConstants& steering);
+  /// Replaces the words of the textures, as many as before (their filters).
+  void set_textures(const Device& device, const std::vector<std::uint32_t>& words);
   /// Replaces the lights by as many others, in device layout.
   void set_lights(const Device& device, const std::vector<std::uint32_t>& lights);
   /// What every dispatch carries.

@@ -94,10 +94,11 @@ PackedTextures pack_textures(const Scene& scene) {
       throw Error(ErrorKind::refused, scene.source + ": textures need more than 4294967294 words");
     }
     const Sampler& sampler = texture.sampler;
-    packed.textures.insert(packed.textures.end(),
-                           {texels.width, texels.height, static_cast<std::uint32_t>(entry->second),
-                            texels.format | sampler.wrap_u << TEXTURE_WRAP_U_SHIFT |
-                                sampler.wrap_v << TEXTURE_WRAP_V_SHIFT | sampler.filter << TEXTURE_FILTER_SHIFT});
+    packed.textures.insert(
+        packed.textures.end(),
+        {texels.width, texels.height, static_cast<std::uint32_t>(entry->second),
+         texels.format | sampler.wrap_u << TEXTURE_WRAP_U_SHIFT | sampler.wrap_v << TEXTURE_WRAP_V_SHIFT |
+             sampler.filter << TEXTURE_FILTER_SHIFT | sampler.filter << TEXTURE_FILE_FILTER_SHIFT});
   }
   return packed;
 }

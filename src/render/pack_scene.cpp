@@ -36,6 +36,19 @@ void set_environment(PackedScene& packed, const Scene& scene) {
   for (std::size_t i = 0; i < harmonics.size(); ++i) constants.ambient_harmonics[i] = harmonics[i];
 }
 
+/// Sets the filter of all textures but the environment's, which is always linear.
+void set_texture_filter(PackedScene& packed, TextureFilter filter) {
+  for (std::size_t texture = 0; 4 * texture < packed.textures.size(); ++texture) {
+    if (texture == packed.steering.environment_texture) continue;
+    std::uint32_t& word = packed.textures[4 * texture + 3];
+    const std::uint32_t of_file = (word >> TEXTURE_FILE_FILTER_SHIFT) & 1u;
+    const std::uint32_t chosen = filter == TextureFilter::nearest  ? TEXTURE_FILTER_NEAREST
+                                 : filter == TextureFilter::linear ? TEXTURE_FILTER_LINEAR
+                                                                   : of_file;
+    word = (word & ~(1u << TEXTURE_FILTER_SHIFT)) | chosen << TEXTURE_FILTER_SHIFT;
+  }
+}
+
 }  // namespace
 
 DeviceLight device_light(const Light& light, const TracedSpace& space) {
@@ -63,7 +76,8 @@ std::vector<std::uint32_t> pack_lights(const std::vector<Light>& lights, const T
   return words;
 }
 
-PackedScene pack_scene(const Scene& scene, unsigned thread_count) {
+PackedScene pack_scene(const Scene& scene, unsigned thread_count, BuildMethod method,
+                       const std::function<void(double)>& progress) {
   PackedScene packed;
   const auto bake_start = std::chrono::steady_clock::now();
   packed.space = choose_traced_space(world_bounds(scene));
@@ -73,9 +87,8 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count) {
   const auto not_opaque = [&](std::uint32_t id) {
     return lets_light_pass(scene.materials[baked.triangles[4 * id + 3]]);
   };
-  const std::vector<BvhTriangle> visible = without_hidden(baked.corners, not_opaque);
-  packed.hidden_triangles = baked.corners.size() - visible.size();
-  packed.bvh = build_bvh(visible, not_opaque, thread_count);
+  packed.hidden_triangles = remove_hidden(baked.corners, not_opaque, thread_count);
+  packed.bvh = build_bvh(baked.corners, not_opaque, thread_count, method, progress);
   packed.bvh_build_ms = milliseconds_since(build_start);
   packed.triangles = std::move(baked.triangles);
   packed.triangle_ids = std::move(baked.triangle_ids);
@@ -120,11 +133,13 @@ void set_camera(PackedScene& packed, const Camera& camera, const RenderSettings&
 }
 
 void set_settings(PackedScene& packed, const RenderSettings& settings) {
+  set_texture_filter(packed, settings.texture_filter);
   RenderConstants& constants = packed.constants;
   constants.image_width = static_cast<std::uint32_t>(settings.width);
   constants.image_height = static_cast<std::uint32_t>(settings.height);
   constants.seed = settings.seed;
   packed.steering.spp = settings.spp;
+  packed.steering.pixel_filter = settings.pixel_filter == PixelFilter::tent ? PIXEL_FILTER_TENT : PIXEL_FILTER_BOX;
   constants.max_bounces = settings.max_bounces;
   constants.cutoff = settings.cutoff;
 }

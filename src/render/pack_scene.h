@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "bvh/bvh.h"
@@ -30,8 +31,10 @@ struct PackedScene {
   double bvh_build_ms = 0.0;
 };
 
-/// Packs `scene`, which has passed validate_scene, building the BVH on `thread_count` threads (0: all cores).
-PackedScene pack_scene(const Scene& scene, unsigned thread_count);
+/// Packs `scene`, which has passed validate_scene, building the BVH by `method` on `thread_count` threads (0: all
+/// cores).
+PackedScene pack_scene(const Scene& scene, unsigned thread_count, BuildMethod method = BuildMethod::standard,
+                       const std::function<void(double share)>& progress = {});
 
 /// `light` in device layout.
 DeviceLight device_light(const Light& light, const TracedSpace& space);
@@ -43,7 +46,7 @@ std::vector<std::uint32_t> pack_lights(const std::vector<Light>& lights, const T
 /// Throws Error(usage) when the camera stands more than 2^40 scene extents away: there a pixel is wider than the scene.
 void set_camera(PackedScene& packed, const Camera& camera, const RenderSettings& settings);
 
-/// Sets what the settings decide: size, seed, samples, bounces, cutoff.
+/// Sets what the settings decide: size, seed, samples, bounces, cutoff, filters.
 void set_settings(PackedScene& packed, const RenderSettings& settings);
 
 }  // namespace vernier

@@ -127,7 +127,7 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   statistics.effects = plan_effects(scene, camera, settings.max_bounces, settings.cutoff, settings.effects);
   const std::uint32_t bounces = statistics.effects.depth.bounces;
 
-  PackedScene packed = pack_scene(scene, 0);
+  PackedScene packed = pack_scene(scene, 0, settings.bvh, callbacks.building);
   describe_scene(scene, packed, statistics);
   describe_left_out(scene, packed, statistics);
   set_camera(packed, camera, settings);

@@ -24,6 +24,8 @@ struct SavedFilm;
 
 /// How a render talks to its caller; all may be empty. Called between submissions, on the caller's thread.
 struct RenderCallbacks {
+  /// Share of the BVH that is built, in [0, 1]: unlike the others called by any thread, never by two at once.
+  std::function<void(double)> building;
   std::function<void(const RenderProgress&)> progress;
   std::function<bool()> cancelled;     ///< true: stop cleanly; what is finished is returned
   Checkpoint* checkpoint = nullptr;    ///< saves what is done

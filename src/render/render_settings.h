@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "bvh/build_method.h"
+
 namespace vernier {
 
 /// A rectangle of pixels, (x, y) its upper left corner.
@@ -26,6 +28,20 @@ constexpr std::string_view to_string(Accuracy accuracy) {
   return accuracy == Accuracy::fast ? "fast" : accuracy == Accuracy::robust ? "robust" : "exact";
 }
 
+/// How a pixel weighs its samples: all alike, or by a tent two pixels wide, which takes in its neighbours' halves.
+enum class PixelFilter { box, tent };
+
+/// How textures are looked up: as their file says, or all of them one way.
+enum class TextureFilter { file, nearest, linear };
+
+/// The filters' names on the command line.
+constexpr std::string_view to_string(PixelFilter filter) {
+  return filter == PixelFilter::box ? "box" : "tent";
+}
+constexpr std::string_view to_string(TextureFilter filter) {
+  return filter == TextureFilter::file ? "file" : filter == TextureFilter::nearest ? "nearest" : "linear";
+}
+
 /// What decides the image and how it is made. The defaults are the command line's.
 struct RenderSettings {
   int width = 1280;
@@ -38,8 +54,11 @@ struct RenderSettings {
   float cutoff = 0.0009765625f;    ///< a ray of a weight below is not traced; 0 cuts only weight 0
   Accuracy accuracy = Accuracy::robust;
   std::string effects = "auto";
-  glm::ivec2 tile = glm::ivec2(0);     ///< pixels; 0: chosen. Never changes a bit
-  double dispatch_ms = 100.0;          ///< time budget of one submission
+  PixelFilter pixel_filter = PixelFilter::box;
+  TextureFilter texture_filter = TextureFilter::file;
+  glm::ivec2 tile = glm::ivec2(0);  ///< pixels; 0: chosen. Never changes a bit
+  double dispatch_ms = 100.0;       ///< time budget of one submission
+  BuildMethod bvh = BuildMethod::standard;
   std::optional<double> error_target;  ///< sqrt(relMSE) at which sampling stops; spp is then the most of a pixel
   double time_limit_s = std::numeric_limits<double>::infinity();
   std::uint32_t seed = 0;

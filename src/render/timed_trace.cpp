@@ -43,6 +43,7 @@ void StagedScene::set_max_bounces(std::uint32_t max_bounces) {
 
 void StagedScene::set_settings(const RenderSettings& settings) {
   vernier::set_settings(packed_, settings);
+  gpu_scene_.set_textures(device_, packed_.textures);
   gpu_scene_.set_constants(device_, packed_.constants, packed_.steering);
 }
 

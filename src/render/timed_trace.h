@@ -28,7 +28,8 @@ class StagedScene {
   TraceSpecialization specialization(std::uint32_t effects) const;
   /// Traces begun from now on go `max_bounces` deep, at most as deep as the settings said at the start.
   void set_max_bounces(std::uint32_t max_bounces);
-  /// Traces begun from now on have the seed, samples, bounces and cutoff of `settings`, whose size is the first one's.
+  /// Traces begun from now on have the seed, samples, bounces, cutoff and filters of `settings`, whose size is the
+  /// first one's.
   void set_settings(const RenderSettings& settings);
   /// Traces begun from now on see through `camera` with `settings`, of any size.
   void set_view(const Camera& camera, const RenderSettings& settings);

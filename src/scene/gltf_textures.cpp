@@ -1,6 +1,7 @@
 #include "scene/gltf_textures.h"
 
 #include "error.h"
+#include "math/parallel_for.h"
 #include "scene/gltf_references.h"
 #include "scene/gltf_uri.h"
 #include "scene/gltf_values.h"
@@ -44,7 +45,8 @@ int image_of(GltfDocument& document, int index) {
   return texture.source;
 }
 
-std::shared_ptr<const Texels> decode_image(GltfDocument& document, int index, TexelEncoding encoding) {
+std::shared_ptr<const Texels> read_image(const GltfDocument& document, const GltfImageUse& use, std::string& path) {
+  const auto [index, encoding] = use;
   const GltfImage& image = document.images[static_cast<std::size_t>(index)];
   const std::string place = "image " + std::to_string(index);
   if (image.uri.empty()) {
@@ -52,28 +54,56 @@ std::shared_ptr<const Texels> decode_image(GltfDocument& document, int index, Te
     return decode_texels(gltf_view_bytes(document, image.buffer_view, place), place, encoding);
   }
   if (is_data_uri(image.uri)) return decode_texels(decode_data_uri(image.uri, place), place, encoding);
-  const std::string path = path_from_uri(image.uri, document.directory);
-  auto texels = decode_texels_from_file(path, encoding);
-  note_file(document.files, path);
-  return texels;
+  path = path_from_uri(image.uri, document.directory);
+  return decode_texels_from_file(path, encoding);
 }
 
-std::shared_ptr<const Texels> texels_of(GltfDocument& document, int image, TexelEncoding encoding,
-                                        const std::string& place, GltfTextures& textures) {
-  const auto [entry, is_new] = textures.texels.try_emplace({image, encoding}, nullptr);
-  if (!is_new) return entry->second;
+DecodedImage decode_image(const GltfDocument& document, const GltfImageUse& use) {
+  DecodedImage decoded;
   try {
-    entry->second = decode_image(document, image, encoding);
+    decoded.texels = read_image(document, use, decoded.path);
   } catch (const Error& failure) {
-    const GltfImage& source = document.images[static_cast<std::size_t>(image)];
-    const std::string name = source.uri.empty() || is_data_uri(source.uri) ? "" : " (" + source.uri + ")";
-    unsupported_gltf(document, place + ", image " + std::to_string(image) + name,
-                     std::string("white is used instead: ") + failure.what());
+    decoded.fault = failure.what();
   }
-  return entry->second;
+  return decoded;
+}
+
+std::shared_ptr<const Texels> white_texel() {
+  return std::make_shared<const Texels>(Texels{TEXTURE_FORMAT_LINEAR8, 1, 1, {0xffffffffu}});
+}
+
+std::shared_ptr<const Texels> texels_of(GltfDocument& document, const GltfImageUse& use, const std::string& place,
+                                        GltfTextures& textures) {
+  const auto [entry, is_new] = textures.texels.try_emplace(use, nullptr);
+  if (!is_new) return entry->second;
+  if (textures.wanted != nullptr) {
+    textures.wanted->push_back(use);
+    return entry->second = white_texel();
+  }
+  const auto known = textures.decoded.find(use);
+  const DecodedImage decoded = known != textures.decoded.end() ? known->second : decode_image(document, use);
+  if (decoded.texels == nullptr) {
+    const GltfImage& source = document.images[static_cast<std::size_t>(use.first)];
+    const std::string name = source.uri.empty() || is_data_uri(source.uri) ? "" : " (" + source.uri + ")";
+    unsupported_gltf(document, place + ", image " + std::to_string(use.first) + name,
+                     "white is used instead: " + decoded.fault);
+  } else if (!decoded.path.empty()) {
+    note_file(document.files, decoded.path);
+  }
+  return entry->second = decoded.texels;
 }
 
 }  // namespace
+
+std::map<GltfImageUse, DecodedImage> decode_gltf_images(const GltfDocument& document,
+                                                        const std::vector<GltfImageUse>& uses) {
+  std::vector<DecodedImage> images(uses.size());
+  parallel_for(resolve_thread_count(0), uses.size(),
+               [&](std::size_t i) { images[i] = decode_image(document, uses[i]); });
+  std::map<GltfImageUse, DecodedImage> decoded;
+  for (std::size_t i = 0; i < uses.size(); ++i) decoded.emplace(uses[i], std::move(images[i]));
+  return decoded;
+}
 
 int gltf_scene_texture(GltfDocument& document, int index, TexelEncoding encoding, const std::string& place,
                        GltfTextures& textures, Scene& scene) {
@@ -82,7 +112,7 @@ int gltf_scene_texture(GltfDocument& document, int index, TexelEncoding encoding
   if (!is_new) return entry->second;
   const int image = image_of(document, index);
   if (image < 0) return -1;
-  const auto texels = texels_of(document, image, encoding, "texture " + std::to_string(index), textures);
+  const auto texels = texels_of(document, {image, encoding}, "texture " + std::to_string(index), textures);
   if (texels == nullptr) return -1;
   const tinygltf::Texture& source = document.model.textures[static_cast<std::size_t>(index)];
   const GltfImage& file = document.images[static_cast<std::size_t>(image)];

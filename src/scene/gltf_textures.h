@@ -12,11 +12,28 @@
 
 namespace vernier {
 
-/// What has been decoded so far: an image used as colour and as data is decoded twice, a texture used twice once.
-struct GltfTextures {
-  std::map<std::pair<int, TexelEncoding>, std::shared_ptr<const Texels>> texels;  ///< by image; null: cannot be decoded
-  std::map<std::pair<int, TexelEncoding>, int> numbers;                           ///< by texture, in Scene::textures
+/// An image of the file and what its texels are read as: an image used as colour and as data is decoded twice.
+using GltfImageUse = std::pair<int, TexelEncoding>;
+
+/// What became of an image.
+struct DecodedImage {
+  std::shared_ptr<const Texels> texels;  ///< null: `fault` says why
+  std::string fault;
+  std::string path;  ///< of the file of its own that it was read from; empty where there is none
 };
+
+/// What has been decoded so far. A texture used twice is decoded once.
+struct GltfTextures {
+  std::map<GltfImageUse, DecodedImage> decoded;  ///< beforehand (decode_gltf_images); others when they are asked for
+  std::vector<GltfImageUse>* wanted = nullptr;   ///< only notes what is asked for here and hands out one white texel
+  std::map<GltfImageUse, std::shared_ptr<const Texels>> texels;  ///< by image; null: cannot be decoded
+  std::map<std::pair<int, TexelEncoding>, int> numbers;          ///< by texture, in Scene::textures
+};
+
+/// Decodes `uses`, each there once, on all cores. Changes and tells nothing: gltf_scene_texture does when they are
+/// used.
+std::map<GltfImageUse, DecodedImage> decode_gltf_images(const GltfDocument& document,
+                                                        const std::vector<GltfImageUse>& uses);
 
 /// Number in scene.textures of texture `index` of the file read as `encoding`, added on first use. EXT_texture_webp is
 /// preferred to the plain source. -1, as if there were no texture, with an unsupported_gltf that names it, where the

@@ -1,5 +1,6 @@
 #include <utility>
 
+#include "error.h"
 #include "scene/gltf_cameras.h"
 #include "scene/gltf_document.h"
 #include "scene/gltf_draco.h"
@@ -31,8 +32,27 @@ void add_instances(GltfDocument& document, const std::vector<int>& nodes,
   }
 }
 
+/// The images that the materials will ask for, found by a rehearsal that is forgotten.
+std::vector<GltfImageUse> wanted_images(GltfDocument& document) {
+  std::vector<GltfImageUse> wanted;
+  GltfTextures textures;
+  textures.wanted = &wanted;
+  Scene forgotten;
+  const std::vector<std::string> warnings = document.warnings;
+  try {
+    for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
+      gltf_material(document, static_cast<int>(i), textures, forgotten);
+    }
+  } catch (const Error&) {
+    // It is thrown again, in its turn, when the materials are made.
+  }
+  document.warnings = warnings;
+  return wanted;
+}
+
 void add_materials(GltfDocument& document, const GltfMeshes& meshes, Scene& scene) {
   GltfTextures textures;
+  textures.decoded = decode_gltf_images(document, wanted_images(document));
   for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
     scene.materials.push_back(gltf_material(document, static_cast<int>(i), textures, scene));
   }

@@ -16,10 +16,15 @@ RESUME = ["--checkpoint", "c.film", "--resume", "c.film"]
 
 
 class CheckpointTest(ProgramTest):
-    def setUp(self):
-        super().setUp()
-        self.check_done(*RENDER, "-o", "whole.exr", "--json", "whole.json")
-        self.whole = (self.folder / "whole.exr").read_bytes()
+    known = None
+
+    @property
+    def whole(self):
+        """The bytes of the render that nothing stopped, made once."""
+        if CheckpointTest.known is None:
+            self.check_done(*RENDER, "-o", "whole.exr")
+            CheckpointTest.known = (self.folder / "whole.exr").read_bytes()
+        return CheckpointTest.known
 
     def start(self, *arguments):
         return subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stderr=subprocess.PIPE, text=True,

@@ -5,10 +5,11 @@ import json
 import math
 import os
 import shlex
+import signal
 import subprocess
 import unittest
 
-from program import FAILED, REFUSED, SCENES, USAGE, ProgramTest
+from program import FAILED, PROGRAM, REFUSED, SCENES, USAGE, ProgramTest
 
 SCENE = str(SCENES / "materials.glb")
 REPORT = str(SCENES.parent / "tools/report")
@@ -91,6 +92,20 @@ class CostTest(ProgramTest):
         self.assertNotIn("spp", cost["reference"])
         self.assertIn("tools/report report", result.stderr)
         self.assertFalse((self.folder / "report/report.html").exists())
+
+    def test_interrupt_writes_what_was_measured(self):
+        process = subprocess.Popen([PROGRAM, "cost", SCENE, "-o", "report", *VIEW, "--budget", "600"], cwd=self.folder,
+                                   stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True,
+                                   env={**os.environ, "VERNIER_PIPELINE_CACHE": "none", "VERNIER_REPORT": REPORT})
+        while " %" not in (line := process.stderr.readline()) and line:
+            pass
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, FAILED, errors)
+        self.assertIn("error: report: interrupted; it holds what was measured", errors)
+        cost = json.loads((self.folder / "report/cost.json").read_text())
+        self.assertFalse(cost["complete"])
+        self.assertIn("stopped before its end", (self.folder / "report/report.html").read_text(encoding="utf-8"))
 
     def test_what_makes_no_sense_is_refused_before_anything_is_written(self):
         for option, values in {"--budget": ["0", "x", "nan", "-5"], "--size": ["0x4", "x"], "--spp": ["0"],

@@ -71,6 +71,7 @@ class ErrorTargetTest(ProgramTest):
         report, _ = self.render("out.png", "--error-target", TARGET)
         self.assertIn(b"vernier:error_estimate", (self.folder / "out.png").read_bytes())
         self.assertIsNotNone(report["error_estimate"])
+        self.check_done("rerun", "out.png", "--quiet")
 
     def test_a_time_limit_ends_it_too(self):
         report, _ = self.render("out.exr", "--error-target", 1e-6, "--time-limit", 2)

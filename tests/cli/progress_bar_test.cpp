@@ -8,16 +8,17 @@ namespace vernier {
 namespace {
 
 TEST(ProgressLine, ShareRateAndTimeLeft) {
-  EXPECT_EQ(progress_line({0.5, 12.34e6, 64.2}, 4), "[##--]  50 %  12.34 Mrays/s  ETA 1:05");
-  EXPECT_EQ(progress_line({1.0, 0.0, 0.0}, 0), "100 %");
+  EXPECT_EQ(progress_line({0.5, 12.34e6, 64.2, ""}, 4), "[##--]  50 %  12.34 Mrays/s  ETA 1:05");
+  EXPECT_EQ(progress_line({1.0, 0.0, 0.0, ""}, 0), "100 %");
+  EXPECT_EQ(progress_line({0.5, 0.0, 2.0, "BVH"}, 4), "BVH [##--]  50 %  ETA 0:02");
 }
 
 TEST(ProgressLine, UnknownFiguresAreLeftOut) {
   constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  EXPECT_EQ(progress_line({kNan, kNan, kInfinity}, 2), "[--]   0 %");
-  EXPECT_EQ(progress_line({-1.0, kInfinity, 1e300}, 2), "[--]   0 %");
-  EXPECT_EQ(progress_line({7.0, -1.0, -1.0}, 2), "[##] 100 %");
+  EXPECT_EQ(progress_line({kNan, kNan, kInfinity, ""}, 2), "[--]   0 %");
+  EXPECT_EQ(progress_line({-1.0, kInfinity, 1e300, ""}, 2), "[--]   0 %");
+  EXPECT_EQ(progress_line({7.0, -1.0, -1.0, ""}, 2), "[##] 100 %");
 }
 
 TEST(RateText, ThousandsAndMillions) {

@@ -52,7 +52,7 @@ TEST_F(MirrorCorridor, SumsTheGeometricSeriesUpToDepth1000) {
   RenderSettings settings;
   settings.width = settings.height = 3;
   settings.cutoff = 0.0f;
-  for (const std::uint32_t depth : {0u, 1u, 2u, 8u, 33u, 64u, 65u, 1000u}) {
+  for (const std::uint32_t depth : {0u, 1u, 33u, 64u, 1000u}) {
     settings.max_bounces = depth;
     const double expected = kEmission * (1.0 - std::pow(kReflectance, depth + 1.0)) / (1.0 - kReflectance);
     const std::vector<float> colors = render(settings);

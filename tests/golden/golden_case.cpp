@@ -1,5 +1,6 @@
 #include "golden_case.h"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <fstream>
 #include <ostream>

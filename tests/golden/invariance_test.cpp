@@ -89,6 +89,11 @@ TEST_P(Invariance, HoldsForEveryWayToMakeTheImage) {
   other = chosen;
   other.effects = "all";
   expect_whole(other, "all effects");
+  for (const BuildMethod method : kBuildMethods) {
+    other = chosen;
+    other.bvh = method;
+    expect_whole(other, "another tree");
+  }
   expect_crop({13, 7, 41, 22});
   expect_halves();
 }

@@ -86,5 +86,17 @@ TEST(SamplePattern, a_sample_depends_on_pixel_and_seed_and_not_on_their_number) 
   EXPECT_NE(sample_offset(5u, 9u, 3u, 2u, 16u), offset);
 }
 
+TEST(SamplePattern, a_tent_has_half_a_square_s_area_left_of_each_place) {
+  EXPECT_EQ(filtered_offset(vec2(0.25f, 0.75f), PIXEL_FILTER_BOX), vec2(0.25f, 0.75f));
+  EXPECT_EQ(filtered_offset(vec2(0.0f, 0.5f), PIXEL_FILTER_TENT), vec2(-0.5f, 0.5f));
+  for (std::uint32_t step = 0; step < 4096; ++step) {
+    const float u = static_cast<float>(step) / 4096.0f;
+    const double place = static_cast<double>(tent_place(u)) + 0.5;  // 0 to 2 over the tent
+    const double area = place < 1.0 ? place * place / 2.0 : 1.0 - (2.0 - place) * (2.0 - place) / 2.0;
+    // The root and two sums are rounded once each, at most half of 2^-23 below 2; the area has slope 1 at most.
+    EXPECT_NEAR(area, static_cast<double>(u), 1.5 * 0x1p-23) << u;
+  }
+}
+
 }  // namespace
 }  // namespace vernier::shader

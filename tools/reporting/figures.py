@@ -66,7 +66,7 @@ def pairs(cost: dict) -> list[dict]:
     """Each telling setting beside plain sampling, at equal time and at equal error."""
     plain = [point for point in cost["points"] if point["axis"] == "spp" and error_of(point) and time_of(point)]
     chosen = []
-    for axis in ("adaptive", "level", "bounces", "cutoff"):
+    for axis in ("adaptive", "level", "bounces", "cutoff", "filter"):
         of_axis = [point for point in cost["points"] if point["axis"] == axis and error_of(point)]
         if not of_axis or not plain:
             continue

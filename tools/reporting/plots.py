@@ -15,7 +15,7 @@ from reporting import figures  # noqa: E402
 # mark of its own.
 SERIES = {"spp": ("samples per pixel", "#1f86d0", "o"), "adaptive": ("error target", "#d55e00", "D"),
           "level": ("numeric level", "#009e73", "s"), "bounces": ("bounces", "#cc79a7", "^"),
-          "cutoff": ("cut-off", "#e69f00", "v"), "effects": ("an effect left out", "#56b4e9", "x")}
+          "cutoff": ("cut-off", "#e69f00", "v"), "filter": ("filter", "#9467bd", "P"), "effects": ("an effect left out", "#56b4e9", "x")}
 INK = "#123456"  # stands for the colour of the page's text, put in at the end
 
 
@@ -88,7 +88,7 @@ def _draw_floors(axes, cost: dict) -> None:
     """A line where each truncated setting ends, however many samples it gets."""
     ends = axes.get_xlim()
     for point in cost["points"]:
-        if point["axis"] in ("bounces", "cutoff") and point["bias_floor"]:
+        if point["axis"] in ("bounces", "cutoff", "filter") and point["bias_floor"]:
             _, color, _ = SERIES[point["axis"]]
             axes.hlines(point["bias_floor"], figures.time_of(point), ends[1], color=color, linewidth=0.8,
                         linestyle=(0, (1, 1.5)))

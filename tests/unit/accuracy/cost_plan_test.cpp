@@ -27,6 +27,7 @@ TEST(CostPlanTest, HasEveryAxisAndNoNameTwice) {
   EXPECT_EQ(count_of(points, "level"), 2u);
   EXPECT_EQ(count_of(points, "bounces"), 4u);
   EXPECT_EQ(count_of(points, "cutoff"), 3u);
+  EXPECT_EQ(count_of(points, "filter"), 2u);
   EXPECT_EQ(count_of(points, "effects"), 1u);  // the one that is on
   EXPECT_EQ(count_of(points, "spot"), 7u);
 }
@@ -37,6 +38,9 @@ TEST(CostPlanTest, APointDiffersByItsOptionAlone) {
     EXPECT_EQ(point.settings.max_bounces != base.max_bounces, point.axis == "bounces") << point.name;
     EXPECT_EQ(point.settings.cutoff != base.cutoff, point.axis == "cutoff") << point.name;
     EXPECT_EQ(point.settings.accuracy != base.accuracy, point.axis == "level") << point.name;
+    EXPECT_EQ(point.settings.pixel_filter != base.pixel_filter || point.settings.texture_filter != base.texture_filter,
+              point.axis == "filter")
+        << point.name;
     EXPECT_EQ(point.settings.effects != base.effects, point.axis == "effects") << point.name;
     EXPECT_EQ(point.settings.error_target.has_value(), point.axis == "adaptive") << point.name;
     EXPECT_EQ(point.has_command, point.axis != "spot") << point.name;
@@ -51,6 +55,10 @@ TEST(CostPlanTest, WhatIsNoCoarserThanTheSettingsIsNoPoint) {
   const std::vector<CostPoint> points = plan_points(input);
   EXPECT_EQ(count_of(points, "bounces"), 1u);
   EXPECT_EQ(count_of(points, "cutoff"), 0u);
+
+  input.has_textures = false;
+  input.settings.pixel_filter = PixelFilter::tent;
+  EXPECT_EQ(count_of(plan_points(input), "filter"), 0u);
 }
 
 TEST(CostPlanTest, TheFrontOfThePlanFits) {

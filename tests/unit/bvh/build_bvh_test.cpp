@@ -17,7 +17,9 @@ namespace {
 
 TEST(BuildBvh, PassesTheCheckOnEverySet) {
   for (const auto& [name, triangles] : all_sets()) {
-    EXPECT_EQ(check_bvh(build_bvh(triangles, {}, 2), triangles), "") << name;
+    for (const BuildMethod method : kBuildMethods) {
+      EXPECT_EQ(check_bvh(build_bvh(triangles, {}, 2, method), triangles), "") << name << " " << to_string(method);
+    }
   }
 }
 
@@ -64,12 +66,14 @@ TEST(BuildBvh, LeavesOutTrianglesWithoutAreaAmongOthers) {
 TEST(BuildBvh, IsBitIdenticalForEveryThreadCount) {
   // Large enough for the threaded bins, and with areas left out.
   for (const Triangles& triangles : {spheres_on_ground(40), random_soup(70000, 0.02f, 12), identical(70000)}) {
-    const Bvh one = build_bvh(triangles, {}, 1);
-    for (const unsigned thread_count : {0u, 2u, 5u}) {
-      const Bvh other = build_bvh(triangles, {}, thread_count);
-      EXPECT_TRUE(one.records == other.records) << thread_count;
-      EXPECT_EQ(one.depth, other.depth);
-      EXPECT_EQ(one.sah_cost, other.sah_cost);
+    for (const BuildMethod method : kBuildMethods) {
+      const Bvh one = build_bvh(triangles, {}, 1, method);
+      for (const unsigned thread_count : {0u, 2u, 5u}) {
+        const Bvh other = build_bvh(triangles, {}, thread_count, method);
+        EXPECT_TRUE(one.records == other.records) << thread_count << " " << to_string(method);
+        EXPECT_EQ(one.depth, other.depth);
+        EXPECT_EQ(one.sah_cost, other.sah_cost);
+      }
     }
   }
 }
@@ -77,17 +81,21 @@ TEST(BuildBvh, IsBitIdenticalForEveryThreadCount) {
 TEST(BuildBvh, KeepsTheDepthPromise) {
   for (const auto& [name, triangles] : all_sets()) {
     const double most = 48.0 + std::ceil(std::log2(static_cast<double>(triangles.size())));
-    EXPECT_LE(build_bvh(triangles, {}, 2).depth, std::max(most, 1.0)) << name;
+    for (const BuildMethod method : kBuildMethods) {
+      EXPECT_LE(build_bvh(triangles, {}, 2, method).depth, std::max(most, 1.0)) << name;
+    }
   }
 }
 
 TEST(BuildBvh, HalvesIdenticalTriangles) {
   constexpr std::uint32_t kCount = 100000;
   const Triangles triangles = identical(kCount);
-  const Bvh bvh = build_bvh(triangles, {}, 2);
-  EXPECT_EQ(check_bvh(bvh, triangles), "");
-  // ceil(log2 100000) = 17 binary levels, and a wide tree is never deeper.
-  EXPECT_LE(bvh.depth, 17u);
+  for (const BuildMethod method : kBuildMethods) {
+    const Bvh bvh = build_bvh(triangles, {}, 2, method);
+    EXPECT_EQ(check_bvh(bvh, triangles), "");
+    // ceil(log2 100000) = 17 binary levels, and a wide tree is never deeper.
+    EXPECT_LE(bvh.depth, 17u);
+  }
 }
 
 TEST(BuildBvh, MarksTrianglesThatMayLetLightPass) {

@@ -129,7 +129,7 @@ TEST(CheckBvhLevels, NoticesATreeOfUselessSplits) {
   const Bvh good = build_bvh(triangles, {}, 1);
   ASSERT_EQ(check_bvh(good, triangles), "");
   BinaryTree tree;
-  tree.nodes = std::make_unique<BinaryNode[]>(count - 1);
+  tree.nodes.resize(count - 1);
   tree.leaf_count = count;
   tree.bounds = halve_by_number(triangles, 0, count, tree, 0);
   // A cost within its bounds: only the levels show what is wrong.

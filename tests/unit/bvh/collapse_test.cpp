@@ -61,7 +61,7 @@ void add_planned(const BinaryTree& tree, const CollapsePlans& plans, std::uint32
 
 TEST(PlanCollapse, IsNeverDearerThanGreedyAndCountsRight) {
   for (const auto& [name, triangles] : all_sets()) {
-    const BinaryTree tree = build_binary_tree(triangles, 2);
+    const BinaryTree tree = build_binary_tree(triangles, BuildMethod::standard, 2);
     if (tree.leaf_count < 2) {
       continue;
     }

@@ -1,4 +1,4 @@
-#include "bvh/parallel_for.h"
+#include "math/parallel_for.h"
 
 #include <gtest/gtest.h>
 

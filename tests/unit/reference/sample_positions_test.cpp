@@ -20,6 +20,11 @@ TEST(SamplePosition, KnownValues) {
   EXPECT_EQ(sample_position(1279, 719, 15, 16, 42), glm::dvec2(5030329, 14500406) * unit);
 }
 
+TEST(TentPosition, KnownValues) {
+  EXPECT_EQ(tent_position({0.0, 0.5}), glm::dvec2(-0.5, 0.5));
+  EXPECT_EQ(tent_position({0.125, 0.875}), glm::dvec2(0.0, 1.0));  // an eighth of the area on either side of the pixel
+}
+
 TEST(SamplePosition, DoesNotDependOnTheNumberOfSamples) {
   for (std::uint32_t sample = 0; sample < 8; ++sample)
     EXPECT_EQ(sample_position(3, 2, sample, 8, 7), sample_position(3, 2, sample, 4096, 7));

@@ -107,7 +107,8 @@ TEST(PackTextures, shared_texels_lie_there_once_after_the_srgb_curve) {
   ASSERT_EQ(packed.texels.size(), SRGB_CURVE_WORDS + 5u);
   EXPECT_EQ(packed.texels[SRGB_CURVE_WORDS + 1], 12u);
   EXPECT_EQ(packed.texels[SRGB_CURVE_WORDS + 2], 21u);
-  const std::uint32_t linear = TEXTURE_FORMAT_LINEAR8 | TEXTURE_FILTER_LINEAR << TEXTURE_FILTER_SHIFT;
+  const std::uint32_t linear = TEXTURE_FORMAT_LINEAR8 | TEXTURE_FILTER_LINEAR << TEXTURE_FILTER_SHIFT |
+                               TEXTURE_FILTER_LINEAR << TEXTURE_FILE_FILTER_SHIFT;
   const std::uint32_t nearest =
       TEXTURE_FORMAT_LINEAR8 | TEXTURE_WRAP_CLAMP << TEXTURE_WRAP_U_SHIFT | TEXTURE_WRAP_MIRROR << TEXTURE_WRAP_V_SHIFT;
   EXPECT_EQ(packed.textures, (std::vector<std::uint32_t>{2, 1, 256, linear, 1, 3, 258, linear, 2, 1, 256, nearest}));

@@ -39,6 +39,28 @@ TEST(PackScene, marks_triangles_that_let_light_pass) {
   EXPECT_EQ(marked, 12u + 2 + 1);
 }
 
+TEST(PackScene, a_texture_filter_is_that_of_the_file_again_but_never_the_environment_s) {
+  Scene scene;
+  const auto texels = test::linear_texels(1, 1, {7});
+  for (const std::uint32_t filter : {TEXTURE_FILTER_NEAREST, TEXTURE_FILTER_LINEAR, TEXTURE_FILTER_LINEAR}) {
+    test::add_texture(scene, texels, {TEXTURE_WRAP_CLAMP, TEXTURE_WRAP_CLAMP, filter});
+  }
+  scene.environment.texture = 2;
+  PackedScene packed = pack_scene(scene, 1);
+  const auto linear_ones = [&](TextureFilter filter) {
+    RenderSettings settings = test::small_image(1, 1, 1);
+    settings.texture_filter = filter;
+    set_settings(packed, settings);
+    std::vector<std::uint32_t> are_linear;
+    for (const std::size_t word : {3, 7, 11})
+      are_linear.push_back((packed.textures[word] >> TEXTURE_FILTER_SHIFT) & 1u);
+    return are_linear;
+  };
+  EXPECT_EQ(linear_ones(TextureFilter::nearest), (std::vector<std::uint32_t>{0, 0, 1}));
+  EXPECT_EQ(linear_ones(TextureFilter::linear), (std::vector<std::uint32_t>{1, 1, 1}));
+  EXPECT_EQ(linear_ones(TextureFilter::file), (std::vector<std::uint32_t>{0, 1, 1}));
+}
+
 TEST(PackScene, an_empty_scene_can_be_packed_and_seen) {
   PackedScene packed = pack_scene(Scene{}, 1);
   EXPECT_EQ(packed.steering.triangle_count, 0u);

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "bvh/binary_tree.h"
+#include "bvh/triangle_reference.h"
+
+namespace vernier {
+
+/// Which splits of a range are tried.
+enum class SplitSearch {
+  bins,  ///< those between 16 bins on each axis
+  all    ///< those between any two centres, where the range is not too large
+};
+
+/// Makes the references.count - 1 `nodes` of a tree over two or more `references`, which are put in another order,
+/// numbered as BinaryTree says: each range is split where the surface area heuristic is least among those that `search`
+/// tries, by medians from depth kMedianDepth on. The same for every `thread_count` (at least 1). `done` as in
+/// build_binary_tree.
+void fill_nodes_by_area(TriangleReferences& references, SplitSearch search, BinaryNode* nodes, unsigned thread_count,
+                        const CountDone& done);
+
+}  // namespace vernier
