@@ -108,7 +108,7 @@ void ViewWindow::take_keys() {
 
 /// Whether nothing is left to trace, to read or to show.
 bool ViewWindow::settled() const {
-  return session_->is_finished() && !stale_ && !loading_.valid() && !has_work();
+  return session_->is_finished() && !stale_ && !loading_.valid() && !state_.measuring && !has_work();
 }
 
 /// The script's event of this frame.
