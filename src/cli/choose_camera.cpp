@@ -97,7 +97,13 @@ Camera choose_camera(const Scene& scene, const SceneSettings& settings, double a
   if (settings.vertical_fov && camera.orthographic) {
     throw Error(ErrorKind::usage, "--fov: the camera is orthographic and has no field of view");
   }
+  if (settings.view_height && !camera.orthographic) {
+    throw Error(ErrorKind::usage, "--view-height: the camera is not orthographic; it has a field of view, --fov");
+  }
   camera.vertical_fov = settings.vertical_fov.value_or(camera.vertical_fov);
+  if (settings.view_height) {
+    camera.half_height = *settings.view_height / 2.0;
+  }
   if (settings.eye || settings.target || settings.up) {
     move_camera(camera, scene, settings);
   }

@@ -39,6 +39,7 @@ std::map<std::string, std::string*> option_places(RenderCommandArguments& argume
           {"target", &scene.target},
           {"up", &scene.up},
           {"fov", &scene.fov},
+          {"view-height", &scene.view_height},
           {"background", &scene.background},
           {"ambient", &scene.ambient},
           {"spp", &render.spp},

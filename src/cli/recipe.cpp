@@ -58,6 +58,7 @@ nlohmann::ordered_json recipe_options(const SceneArguments& scene, const RenderA
   put(options, "target", scene.target);
   put(options, "up", scene.up);
   put(options, "fov", scene.fov);
+  put(options, "view-height", scene.view_height);
   if (!scene.lights.empty()) {
     options["light"] = scene.lights;
   }

@@ -20,6 +20,7 @@ RenderCommandArguments render_arguments(const RenderCommandArguments& arguments,
   scene.target = picture.words.target;
   scene.up = picture.words.up;
   scene.fov = picture.words.fov;
+  scene.view_height = picture.words.view_height;
   RenderArguments& render = changed.render;
   const RenderSettings& settings = picture.settings;
   render.size = std::to_string(settings.width) + "x" + std::to_string(settings.height);

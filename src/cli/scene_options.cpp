@@ -23,6 +23,11 @@ double parse_fov(const std::string& text) {
   return glm::radians(degrees);
 }
 
+double parse_view_height(const std::string& text) {
+  constexpr double kLeast_m = 1e-30, kMost_m = 1e30;  // within float32, in which rays start
+  return parse_number_in("--view-height", text, kLeast_m, kMost_m);
+}
+
 // A colour holds digits, signs, dots, exponents and commas only, so no name with a known extension is one.
 void parse_background(const std::string& text, SceneSettings& settings) {
   if (text.find_first_not_of("0123456789.,+-eE") == std::string::npos) {
@@ -53,6 +58,10 @@ void add_scene_options(CLI::App& app, SceneArguments& arguments) {
   app.add_option("--fov", arguments.fov,
                  "vertical field of view in degrees, between 0 and 180 (default: the camera's, else 45)")
       ->type_name("DEG")
+      ->group(group);
+  app.add_option("--view-height", arguments.view_height,
+                 "height of what an orthographic camera sees, in metres (default: the camera's)")
+      ->type_name("M")
       ->group(group);
   app.add_option("--light", arguments.lights,
                  "point:x,y,z:r,g,b (metres, candela) or dir:x,y,z:r,g,b (the way the light travels, lux); repeatable, "
@@ -85,6 +94,9 @@ SceneSettings parse_scene_settings(const SceneArguments& arguments) {
   settings.strict = arguments.strict;
   if (!arguments.fov.empty()) {
     settings.vertical_fov = parse_fov(arguments.fov);
+  }
+  if (!arguments.view_height.empty()) {
+    settings.view_height = parse_view_height(arguments.view_height);
   }
   for (const std::string& light : arguments.lights) {
     settings.lights.push_back(parse_light(light));

@@ -21,6 +21,7 @@ struct SceneArguments {
   std::string target;
   std::string up;
   std::string fov;
+  std::string view_height;
   std::vector<std::string> lights;
   std::string background;
   std::string ambient;
@@ -35,6 +36,7 @@ struct SceneSettings {
   std::optional<glm::dvec3> target;  ///< metres
   std::optional<glm::dvec3> up;
   std::optional<double> vertical_fov;  ///< radians, in (0, pi)
+  std::optional<double> view_height;   ///< metres, above 0: what an orthographic camera sees
   std::vector<Light> lights;           ///< empty: the file's
   std::optional<glm::vec3> background_color;
   std::string background_file;  ///< equirectangular image, empty for none
@@ -42,7 +44,7 @@ struct SceneSettings {
   bool strict = false;
 };
 
-/// Adds --camera, --eye, --target, --up, --fov, --light, --background, --ambient and --strict to `app`.
+/// Adds --camera, --eye, --target, --up, --fov, --view-height, --light, --background, --ambient and --strict to `app`.
 /// `arguments` outlives the parse.
 void add_scene_options(CLI::App& app, SceneArguments& arguments);
 

@@ -27,6 +27,7 @@ SceneSettings with_words(const SceneSettings& settings, const RenderCommandArgum
   texts.target = words.target;
   texts.up = words.up;
   texts.fov = words.fov;
+  texts.view_height = words.view_height;
   SceneSettings changed = parse_scene_settings(texts);
   changed.scene = settings.scene;
   return changed;
@@ -64,7 +65,8 @@ void view(const ViewArguments& arguments) {
   ViewPlan plan;
   plan.source = render.scene.scene;
   plan.settings = settings.render;
-  plan.words = {render.scene.camera, render.scene.eye, render.scene.target, render.scene.up, render.scene.fov};
+  const SceneArguments& scene = render.scene;
+  plan.words = {scene.camera, scene.eye, scene.target, scene.up, scene.fov, scene.view_height};
   plan.device = render.device;
   plan.exposure_ev = settings.exposure_ev;
   plan.interrupted = interrupted;

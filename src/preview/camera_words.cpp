@@ -38,6 +38,7 @@ CameraWords camera_words(const CameraWords& base, const OrbitView& view) {
   words.target = text_of(view.target);
   const bool upright = std::fabs(frame[0].y) < kUpright && frame[1].y > 0.0;
   words.up = upright ? std::string() : text_of(glm::dvec3(frame[1]));
+  if (view.camera.orthographic) words.view_height = text_of(2.0 * view.camera.half_height);
   return words;
 }
 

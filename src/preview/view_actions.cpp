@@ -154,7 +154,8 @@ void ViewWindow::perform(const PanelActions& actions) {
   }
   if (actions.settings) set_settings(*actions.settings);
   if (actions.camera && *actions.camera < session_->scene().cameras.size()) {
-    look_through({.camera = std::to_string(*actions.camera), .eye = {}, .target = {}, .up = {}, .fov = {}});
+    look_through(
+        {.camera = std::to_string(*actions.camera), .eye = {}, .target = {}, .up = {}, .fov = {}, .view_height = {}});
   }
   if (actions.frame_all) look(framed(view_, bounds_, aspect()));
   if (actions.render) session_->render();
@@ -166,8 +167,7 @@ void ViewWindow::perform(const PanelActions& actions) {
 void ViewWindow::look(const OrbitView& view) {
   words_ = camera_words(words_, view);
   view_ = view;
-  Camera camera = plan_.camera_of(session_->scene(), words_, aspect());
-  camera.half_height = view.camera.half_height;
+  const Camera camera = plan_.camera_of(session_->scene(), words_, aspect());
   view_.camera = camera;
   session_->set_camera(camera);
   last_move_ = Clock::now();

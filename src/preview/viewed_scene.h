@@ -13,6 +13,7 @@ struct CameraWords {
   std::string camera;  ///< of the file, its name or index
   std::string eye, target, up;
   std::string fov;
+  std::string view_height;  ///< of an orthographic camera
 
   bool operator==(const CameraWords&) const = default;
 };

@@ -106,5 +106,13 @@ TEST(ChooseCamera, FovReplacesThatOfPerspectiveCameras) {
   expect_usage_error("orthographic", [&] { choose_camera(scene_with_cameras(), settings, 1.0); });
 }
 
+TEST(ChooseCamera, ViewHeightReplacesThatOfOrthographicCameras) {
+  SceneSettings settings;
+  settings.view_height = 3.0;
+  expect_usage_error("--view-height", [&] { choose_camera(unit_square(), settings, 1.0); });
+  settings.camera = "0";
+  EXPECT_EQ(choose_camera(scene_with_cameras(), settings, 1.0).half_height, 1.5);
+}
+
 }  // namespace
 }  // namespace vernier

@@ -15,8 +15,9 @@ Camera chosen(const CameraWords& words) {
   arguments.eye = words.eye;
   arguments.target = words.target;
   arguments.up = words.up;
+  arguments.view_height = words.view_height;
   Scene scene;
-  scene.cameras.emplace_back();
+  scene.cameras.emplace_back().orthographic = !words.view_height.empty();
   return choose_camera(scene, parse_scene_settings(arguments), 1.5);
 }
 
@@ -56,9 +57,17 @@ TEST(CameraWordsTest, EyeKeepsEveryDigit) {
   EXPECT_EQ(camera.world_from_camera[3], somewhere(0.3).camera.world_from_camera[3]);
 }
 
+TEST(CameraWordsTest, WhatAnOrthographicCameraSeesKeepsEveryDigit) {
+  OrbitView view = somewhere(0.0);
+  EXPECT_EQ(camera_words({}, view).view_height, "") << "perspective";
+  view.camera.orthographic = true;
+  view.camera.half_height = 1.0 / 3.0;
+  EXPECT_EQ(chosen(camera_words({}, view)).half_height, 1.0 / 3.0);
+}
+
 TEST(CameraWordsTest, CameraAndFieldOfViewStay) {
-  const CameraWords words =
-      camera_words({.camera = "2", .eye = "1,2,3", .target = {}, .up = {}, .fov = "40"}, somewhere(0.0));
+  const CameraWords words = camera_words(
+      {.camera = "2", .eye = "1,2,3", .target = {}, .up = {}, .fov = "40", .view_height = {}}, somewhere(0.0));
   EXPECT_EQ(words.camera, "2");
   EXPECT_EQ(words.fov, "40");
   EXPECT_NE(words.eye, "1,2,3");
