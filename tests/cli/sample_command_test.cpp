@@ -30,7 +30,7 @@ TEST(SampleCommand, NamesEverythingThatDecidesABit) {
       sample_command(plan, "llvmpipe (LLVM 15)", {.x = 12, .y = 30, .sample = 5}),
       "vernier render 'my scene.glb' -o sample.exr --size 64x32 --crop 12,30,1,1 --eye=-1,2,3 --light dir:0,-1,0:1,1,1 "
       "--light point:0,1,0:9,9,9 --spp 8 --sample-range 5:6 --max-bounces 8 --cutoff 1/1024 --accuracy exact "
-      "--effects auto --seed 0 --device 'llvmpipe (LLVM 15)'");
+      "--effects auto --filter box --texture-filter file --bvh default --seed 0 --device 'llvmpipe (LLVM 15)'");
 }
 
 TEST(SampleCommand, TheBuiltinSceneHasNoName) {
