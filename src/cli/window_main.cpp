@@ -65,8 +65,8 @@ void view(const ViewArguments& arguments) {
   ViewPlan plan;
   plan.source = render.scene.scene;
   plan.settings = settings.render;
-  const SceneArguments& scene = render.scene;
-  plan.words = {scene.camera, scene.eye, scene.target, scene.up, scene.fov, scene.view_height};
+  const SceneArguments& seen = render.scene;
+  plan.words = {seen.camera, seen.eye, seen.target, seen.up, seen.fov, seen.view_height};
   plan.device = render.device;
   plan.exposure_ev = settings.exposure_ev;
   plan.interrupted = interrupted;
