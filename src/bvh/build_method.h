@@ -5,8 +5,8 @@
 
 namespace vernier {
 
-/// How the binary tree under a BVH is found. None changes a bit of a picture at the levels robust and exact, whose boxes
-/// lose no hit; only the layer `cost` counts what a tree makes of it.
+/// How the binary tree under a BVH is found. None changes a bit of a picture at the levels robust and exact, whose
+/// boxes lose no hit; only the layer `cost` counts what a tree makes of it.
 enum class BuildMethod {
   fast,      ///< by Morton codes: quickest to build
   standard,  ///< by the surface area heuristic over 16 bins
