@@ -1,5 +1,6 @@
 #include "cli/save_picture.h"
 
+#include "cli/camera_arguments.h"
 #include "cli/parse_values.h"
 #include "cli/recipe.h"
 #include "cli/rendered_image.h"
@@ -13,14 +14,8 @@ namespace vernier {
 RenderCommandArguments render_arguments(const RenderCommandArguments& arguments, const SavedPicture& picture) {
   RenderCommandArguments changed = arguments;
   changed.output = picture.path;
-  SceneArguments& scene = changed.scene;
-  scene.scene = picture.viewed.source;
-  scene.camera = picture.words.camera;
-  scene.eye = picture.words.eye;
-  scene.target = picture.words.target;
-  scene.up = picture.words.up;
-  scene.fov = picture.words.fov;
-  scene.view_height = picture.words.view_height;
+  changed.scene = with_camera(arguments.scene, picture.words);
+  changed.scene.scene = picture.viewed.source;
   RenderArguments& render = changed.render;
   const RenderSettings& settings = picture.settings;
   render.size = std::to_string(settings.width) + "x" + std::to_string(settings.height);

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "cli/camera_arguments.h"
 #include "cli/choose_camera.h"
 #include "cli/interrupt.h"
 #include "cli/save_picture.h"
@@ -21,14 +22,7 @@ namespace {
 /// `settings` with the camera that `words` say.
 SceneSettings with_words(const SceneSettings& settings, const RenderCommandArguments& arguments,
                          const CameraWords& words) {
-  SceneArguments texts = arguments.scene;
-  texts.camera = words.camera;
-  texts.eye = words.eye;
-  texts.target = words.target;
-  texts.up = words.up;
-  texts.fov = words.fov;
-  texts.view_height = words.view_height;
-  SceneSettings changed = parse_scene_settings(texts);
+  SceneSettings changed = parse_scene_settings(with_camera(arguments.scene, words));
   changed.scene = settings.scene;
   return changed;
 }
@@ -65,8 +59,7 @@ void view(const ViewArguments& arguments) {
   ViewPlan plan;
   plan.source = render.scene.scene;
   plan.settings = settings.render;
-  const SceneArguments& seen = render.scene;
-  plan.words = {seen.camera, seen.eye, seen.target, seen.up, seen.fov, seen.view_height};
+  plan.words = words_of(render.scene);
   plan.device = render.device;
   plan.exposure_ev = settings.exposure_ev;
   plan.interrupted = interrupted;

@@ -1,24 +1,88 @@
 #include "scene/essential_png.h"
 
+#include <zlib.h>
+
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <iterator>
 
 #include "error.h"
+#include "scene/png_pixels.h"
 #include "scene/texture_from_image.h"
 
 namespace vernier {
 namespace {
 
-constexpr std::string_view kSignature("\x89PNG\r\n\x1a\n", 8);
-constexpr std::array<unsigned char, 12> kEnd = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xAE, 0x42, 0x60, 0x82};
+constexpr std::size_t kSignatureBytes = 8;
+// Length and kind before the content, checksum after it.
+constexpr std::size_t kFrameBytes = 12;
+constexpr std::size_t kHeaderBytes = 13;
+constexpr std::uint8_t kPaletteColor = 3;
+
+struct Chunk {
+  std::string kind;
+  std::span<const std::byte> framed;   // all of it
+  std::span<const std::byte> content;  // without its frame
+};
+
+[[noreturn]] void refuse(const std::string& name, const std::string& what) {
+  throw Error(ErrorKind::refused, name + ": " + what);
+}
+
+std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
+  std::uint32_t word = 0;
+  for (std::size_t i = 0; i < 4; ++i) word = word << 8 | std::to_integer<std::uint32_t>(bytes[offset + i]);
+  return word;
+}
+
+Chunk first_chunk(std::span<const std::byte> rest, const std::string& name) {
+  if (rest.size() < kFrameBytes) refuse(name, "the PNG file ends within a chunk");
+  const std::size_t length = word_at(rest, 0);
+  if (length > rest.size() - kFrameBytes) refuse(name, "the PNG file ends within a chunk");
+  const auto* kind = reinterpret_cast<const char*>(rest.data() + 4);
+  return {std::string(kind, 4), rest.first(length + kFrameBytes), rest.subspan(8, length)};
+}
+
+bool is_essential(const std::string& kind) {
+  static constexpr std::array<const char*, 5> kKinds = {"IHDR", "PLTE", "tRNS", "IDAT", "IEND"};
+  return std::ranges::find(kKinds, kind) != kKinds.end();
+}
+
+void check_sum(const Chunk& chunk, const std::string& name) {
+  const auto* summed = reinterpret_cast<const Bytef*>(chunk.framed.data() + 4);
+  const uLong sum = crc32(0, summed, static_cast<uInt>(chunk.content.size() + 4));
+  if (sum != word_at(chunk.framed, chunk.framed.size() - 4)) {
+    refuse(name, "the PNG file is damaged: wrong checksum of a chunk " + chunk.kind);
+  }
+}
+
+// Bits a channel by kind of colour: table 11.1 of the specification.
+bool is_allowed(std::uint8_t depth, std::uint8_t color) {
+  const bool small = depth == 1 || depth == 2 || depth == 4;
+  if (color == 0) return small || depth == 8 || depth == 16;
+  if (color == kPaletteColor) return small || depth == 8;
+  return (color == 2 || color == 4 || color == 6) && (depth == 8 || depth == 16);
+}
+
+PngLayout checked_layout(const Chunk& chunk, const std::string& name) {
+  if (chunk.kind != "IHDR" || chunk.content.size() != kHeaderBytes) refuse(name, "the PNG file has no header");
+  const auto byte = [&](std::size_t i) { return std::to_integer<std::uint8_t>(chunk.content[i]); };
+  const std::uint32_t width = word_at(chunk.content, 0), height = word_at(chunk.content, 4);
+  constexpr std::uint32_t kLargest = 0x7FFFFFFF;
+  const bool sized = width > 0 && height > 0 && width <= kLargest && height <= kLargest;
+  if (!sized || !is_allowed(byte(8), byte(9)) || byte(10) != 0 || byte(11) != 0 || byte(12) > 1) {
+    refuse(name, "the PNG header makes no sense: " + std::to_string(width) + "x" + std::to_string(height) + ", " +
+                     std::to_string(byte(8)) + " bits, colour type " + std::to_string(byte(9)));
+  }
+  return {width, height, byte(8), byte(9), byte(12) == 1};
+}
 
 // Of pictures that are too large nothing is inflated: the reader refuses them by their size.
-void check_pixels(const PngChunks& chunks, const std::string& name) {
-  if (std::uint64_t{chunks.layout.width} * chunks.layout.height > kMaxTexels) return;
-  const std::string fault = png_pixel_fault(chunks.layout, chunks.pixels);
-  if (!fault.empty()) throw Error(ErrorKind::refused, name + ": the PNG file is damaged in its pixels: " + fault);
+void check_pixels(const PngLayout& layout, std::span<const std::span<const std::byte>> parts, const std::string& name) {
+  if (std::uint64_t{layout.width} * layout.height > kMaxTexels) return;
+  const std::string fault = png_pixel_fault(layout, parts);
+  if (!fault.empty()) refuse(name, "the PNG file is damaged in its pixels: " + fault);
 }
 
 void append(std::vector<std::byte>& file, std::span<const std::byte> bytes) {
@@ -27,12 +91,33 @@ void append(std::vector<std::byte>& file, std::span<const std::byte> bytes) {
 
 }  // namespace
 
-std::vector<std::byte> essential_png(const PngChunks& chunks, const std::string& name) {
-  check_pixels(chunks, name);
+std::vector<std::byte> essential_png(std::span<const std::byte> encoded, const std::string& name) {
   std::vector<std::byte> file;
-  append(file, std::as_bytes(std::span(kSignature)));
-  for (const std::span<const std::byte> chunk : chunks.framed) append(file, chunk);
-  if (!chunks.ended) append(file, std::as_bytes(std::span(kEnd)));
+  file.reserve(encoded.size() + kFrameBytes);
+  append(file, encoded.first(kSignatureBytes));
+  std::span<const std::byte> rest = encoded.subspan(kSignatureBytes);
+  PngLayout layout{};
+  std::vector<std::span<const std::byte>> pixels;
+  bool has_palette = false, ended = false;
+  for (std::size_t number = 0; !rest.empty() && !ended; ++number) {
+    const Chunk chunk = first_chunk(rest, name);
+    rest = rest.subspan(chunk.framed.size());
+    if (number > 0 && !is_essential(chunk.kind)) continue;
+    check_sum(chunk, name);
+    if (number == 0) layout = checked_layout(chunk, name);
+    has_palette = has_palette || chunk.kind == "PLTE";
+    if (chunk.kind == "IDAT") pixels.push_back(chunk.content);
+    ended = chunk.kind == "IEND";
+    const bool late = !pixels.empty() && chunk.kind != "IDAT" && !ended;
+    const bool again = number > 0 && chunk.kind == "IHDR";
+    if (late || again) refuse(name, "the PNG file is damaged: a chunk " + chunk.kind + " is out of place");
+    append(file, chunk.framed);
+  }
+  if (pixels.empty()) refuse(name, "the PNG file has no pixels");
+  if (layout.color == kPaletteColor && !has_palette) refuse(name, "the PNG file has no palette");
+  check_pixels(layout, pixels, name);
+  constexpr std::array<unsigned char, kFrameBytes> kEnd = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xAE, 0x42, 0x60, 0x82};
+  if (!ended) append(file, std::as_bytes(std::span(kEnd)));
   return file;
 }
 

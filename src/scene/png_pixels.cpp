@@ -47,12 +47,10 @@ std::vector<Rows> rows_of(const PngLayout& layout) {
   return rows;
 }
 
-using TakeRow = std::function<void(int filter, std::span<std::byte> row)>;
-
 // Follows the inflated bytes row by row.
 class RowReader {
  public:
-  RowReader(std::vector<Rows> rows, const TakeRow& take_row) : rows_(std::move(rows)), take_row_(take_row) {}
+  explicit RowReader(std::vector<Rows> rows) : rows_(std::move(rows)) {}
 
   // Takes the next bytes of the image; what is wrong with them, or nothing.
   std::string read(std::span<const std::byte> bytes) {
@@ -60,15 +58,13 @@ class RowReader {
       if (left_in_row_ == 0) {
         if (bytes.front() > kLastFilter)
           return "a row's filter is " + std::to_string(std::to_integer<int>(bytes.front()));
-        filter_ = std::to_integer<int>(bytes.front());
         left_in_row_ = rows_[pass_].row_bytes;
         bytes = bytes.subspan(1);
       }
       const std::size_t count = std::min<std::uint64_t>(bytes.size(), left_in_row_);
-      bytes_.insert(bytes_.end(), bytes.begin(), bytes.begin() + static_cast<std::ptrdiff_t>(count));
       left_in_row_ -= count;
       bytes = bytes.subspan(count);
-      if (left_in_row_ == 0) end_row();
+      if (left_in_row_ == 0 && ++row_ == rows_[pass_].count) ++pass_, row_ = 0;
     }
     return "";
   }
@@ -76,16 +72,7 @@ class RowReader {
   bool is_done() const { return left_in_row_ == 0 && pass_ == rows_.size(); }
 
  private:
-  void end_row() {
-    take_row_(filter_, bytes_);
-    bytes_.clear();
-    if (++row_ == rows_[pass_].count) ++pass_, row_ = 0;
-  }
-
   std::vector<Rows> rows_;
-  const TakeRow& take_row_;
-  std::vector<std::byte> bytes_;  // of the row so far
-  int filter_ = 0;
   std::size_t pass_ = 0;
   std::uint64_t row_ = 0;
   std::uint64_t left_in_row_ = 0;
@@ -132,12 +119,7 @@ class Inflation {
 }  // namespace
 
 std::string png_pixel_fault(const PngLayout& layout, std::span<const std::span<const std::byte>> parts) {
-  return read_png_rows(layout, parts, [](int, std::span<std::byte>) {});
-}
-
-std::string read_png_rows(const PngLayout& layout, std::span<const std::span<const std::byte>> parts,
-                          const TakeRow& take_row) {
-  RowReader rows(rows_of(layout), take_row);
+  RowReader rows(rows_of(layout));
   Inflation inflation;
   for (const std::span<const std::byte> part : parts) {
     std::string fault = inflation.take(part, rows);

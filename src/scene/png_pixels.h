@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,10 +20,5 @@ struct PngLayout {
 /// zlib refuses or that ends early, or a row whose filter is none. Empty for none. Bytes too many are none: readers
 /// pass over them. Inflates the stream once, in a fixed buffer. W3C, PNG Specification, Third Edition, 8 to 10.
 std::string png_pixel_fault(const PngLayout& layout, std::span<const std::span<const std::byte>> parts);
-
-/// Inflates `parts` as png_pixel_fault does and hands each row in turn to `take_row(filter, bytes)`, filtered as it is,
-/// filter 0 to 4; those of an interlaced image by its seven passes. Returns what is wrong, as png_pixel_fault.
-std::string read_png_rows(const PngLayout& layout, std::span<const std::span<const std::byte>> parts,
-                          const std::function<void(int filter, std::span<std::byte> row)>& take_row);
 
 }  // namespace vernier

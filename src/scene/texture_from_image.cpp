@@ -15,7 +15,6 @@
 #include "error.h"
 #include "image/srgb_curve.h"
 #include "scene/essential_png.h"
-#include "scene/plain_png.h"
 
 namespace vernier {
 namespace {
@@ -36,18 +35,15 @@ std::string one_line(std::string text) {
   return text.empty() ? "unknown format" : text;
 }
 
-void check_size(std::uint32_t width, std::uint32_t height, const std::string& name) {
-  if (width > kMaxTextureSide_px || height > kMaxTextureSide_px || std::uint64_t{width} * height > kMaxTexels) {
-    refuse(name, std::to_string(width) + "x" + std::to_string(height) + " texels are more than " +
-                     std::to_string(kMaxTexels) + " or a side is longer than " + std::to_string(kMaxTextureSide_px));
-  }
-}
-
-void check_shape(const OIIO::ImageSpec& spec, const std::string& name) {
+void check_size(const OIIO::ImageSpec& spec, const std::string& name) {
   if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels <= 0) {
     refuse(name, "not an image of width, height and channels above zero");
   }
-  check_size(std::uint32_t(spec.width), std::uint32_t(spec.height), name);
+  if (spec.width > kMaxTextureSide_px || spec.height > kMaxTextureSide_px ||
+      std::uint64_t(spec.width) * std::uint64_t(spec.height) > kMaxTexels) {
+    refuse(name, std::to_string(spec.width) + "x" + std::to_string(spec.height) + " texels are more than " +
+                     std::to_string(kMaxTexels) + " or a side is longer than " + std::to_string(kMaxTextureSide_px));
+  }
 }
 
 /// Where red, green, blue and alpha lie among `count` channels; -1: opaque.
@@ -137,20 +133,14 @@ std::string extension_of(std::span<const std::byte> encoded, const std::string& 
   return dot != std::string::npos && name[dot] == '.' ? name.substr(dot + 1) : "tga";
 }
 
-std::uint32_t byte_format(TexelEncoding encoding) {
-  return encoding == TexelEncoding::srgb ? TEXTURE_FORMAT_SRGB8 : TEXTURE_FORMAT_LINEAR8;
-}
+}  // namespace
 
-std::shared_ptr<const Texels> decode_plain_png(const PngChunks& chunks, const std::string& name,
-                                               TexelEncoding encoding) {
-  const PngLayout& layout = chunks.layout;
-  check_size(layout.width, layout.height, name);
-  return std::make_shared<const Texels>(
-      Texels{byte_format(encoding), layout.width, layout.height, plain_png_words(chunks, name)});
-}
-
-std::shared_ptr<const Texels> decode_by_library(std::span<const std::byte> encoded, const std::string& extension,
-                                                const std::string& name, TexelEncoding encoding) {
+std::shared_ptr<const Texels> decode_texels(std::span<const std::byte> encoded, const std::string& name,
+                                            TexelEncoding encoding) {
+  if (encoded.empty()) refuse(name, "the image is empty");
+  const std::string extension = extension_of(encoded, name);
+  std::vector<std::byte> png;
+  if (extension == "png" && begins_with(encoded, kPngSignature)) encoded = png = essential_png(encoded, name);
   OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(encoded.data()), encoded.size());
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
@@ -163,31 +153,19 @@ std::shared_ptr<const Texels> decode_by_library(std::span<const std::byte> encod
     refuse(name, "not an image in a format that can be read");
   }
   const OIIO::ImageSpec spec = input->spec();
-  check_shape(spec, name);
+  check_size(spec, name);
 
   auto texels = std::make_shared<Texels>();
   texels->width = std::uint32_t(spec.width);
   texels->height = std::uint32_t(spec.height);
   const bool is_float = spec.format.is_floating_point();
   if (!is_float && spec.format.size() == 1) {
-    texels->format = byte_format(encoding);
+    texels->format = encoding == TexelEncoding::srgb ? TEXTURE_FORMAT_SRGB8 : TEXTURE_FORMAT_LINEAR8;
     read_bytes(*input, spec, name, *texels);
   } else {
     read_floats(*input, spec, name, !is_float && encoding == TexelEncoding::srgb, *texels);
   }
   return texels;
-}
-
-}  // namespace
-
-std::shared_ptr<const Texels> decode_texels(std::span<const std::byte> encoded, const std::string& name,
-                                            TexelEncoding encoding) {
-  if (encoded.empty()) refuse(name, "the image is empty");
-  const std::string extension = extension_of(encoded, name);
-  if (!begins_with(encoded, kPngSignature)) return decode_by_library(encoded, extension, name, encoding);
-  const PngChunks chunks = read_png_chunks(encoded, name);
-  if (is_plain_png(chunks)) return decode_plain_png(chunks, name, encoding);
-  return decode_by_library(essential_png(chunks, name), extension, name, encoding);
 }
 
 std::shared_ptr<const Texels> decode_texels_from_file(const std::string& path, TexelEncoding encoding) {
