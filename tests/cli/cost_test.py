@@ -94,7 +94,7 @@ class CostTest(ProgramTest):
         self.assertFalse((self.folder / "report/report.html").exists())
 
     def test_interrupt_writes_what_was_measured(self):
-        process = subprocess.Popen([PROGRAM, "cost", SCENE, "-o", "report", *VIEW, "--budget", "600"], cwd=self.folder,
+        process = subprocess.Popen([PROGRAM, "cost", SCENE, "-o", "report", *VIEW, "--budget", "40"], cwd=self.folder,
                                    stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True,
                                    env={**os.environ, "VERNIER_PIPELINE_CACHE": "none", "VERNIER_REPORT": REPORT})
         while " %" not in (line := process.stderr.readline()) and line:
