@@ -15,6 +15,12 @@ def rays_per_cpu_s(measurement) -> float:
     return sum(measurement.rays.values()) / measurement.cpu_s
 
 
+def each_round(rounds: list) -> list:
+    """What every round measured, for comparisons with other runs."""
+    return [{name: {"rays_per_s": one.rays_per_s, "rays_per_cpu_s": rays_per_cpu_s(one), "seconds": one.seconds}
+             for name, one in turn.items()} for turn in rounds]
+
+
 def compare(rounds: list) -> dict:
     """Ratios of Vernier to the others, each of runs of the same round: a machine that slows down slows them all."""
     ratios = {}

@@ -8,7 +8,7 @@ import markupsafe
 
 from reporting import figures, plots
 
-TEMPLATE = pathlib.Path(__file__).with_name("report.html.jinja")
+FOLDER = pathlib.Path(__file__).parent
 
 
 def embedded(folder: pathlib.Path, name: str) -> str:
@@ -16,12 +16,18 @@ def embedded(folder: pathlib.Path, name: str) -> str:
     return "data:image/png;base64," + base64.b64encode((folder / name).read_bytes()).decode("ascii")
 
 
+def template_of(path: pathlib.Path, **filters) -> jinja2.Template:
+    """The template at `path`, which may include what lies in this folder."""
+    environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True,
+                                     lstrip_blocks=True, loader=jinja2.FileSystemLoader([path.parent, FOLDER]))
+    environment.filters.update(filters)
+    return environment.get_template(path.name)
+
+
 def make_page(cost: dict, folder: pathlib.Path) -> str:
     """report.html of `cost`, the content of cost.json in `folder`, whose pictures it takes in."""
-    environment = jinja2.Environment(autoescape=True, undefined=jinja2.StrictUndefined, trim_blocks=True,
-                                     lstrip_blocks=True)
-    environment.filters.update(ms=figures.time_text, error=figures.error_text, interval=figures.interval_text)
-    template = environment.from_string(TEMPLATE.read_text(encoding="utf-8"))
+    template = template_of(FOLDER / "report.html.jinja", ms=figures.time_text, error=figures.error_text,
+                           interval=figures.interval_text)
     return template.render(
         cost=cost, advice=figures.recommendation(cost), pairs=figures.pairs(cost),
         adaptive=figures.adaptive_rows(cost), effects=figures.against_base(cost, "effects"),

@@ -1,22 +1,16 @@
 """Error against time as SVG whose colours follow the page."""
 
-import io
-import re
+from matplotlib import pyplot
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-import matplotlib
-
-matplotlib.use("svg")
-from matplotlib import pyplot  # noqa: E402
-from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter  # noqa: E402
-
-from reporting import figures  # noqa: E402
+from reporting import drawing, figures
+from reporting.drawing import INK
 
 # Colours that differ for readers who see few (after Okabe and Ito 2008; the blue lighter, for dark pages), each with a
 # mark of its own.
 SERIES = {"spp": ("samples per pixel", "#1f86d0", "o"), "adaptive": ("error target", "#d55e00", "D"),
           "level": ("numeric level", "#009e73", "s"), "bounces": ("bounces", "#cc79a7", "^"),
           "cutoff": ("cut-off", "#e69f00", "v"), "filter": ("filter", "#9467bd", "P"), "effects": ("an effect left out", "#56b4e9", "x")}
-INK = "#123456"  # stands for the colour of the page's text, put in at the end
 
 
 def _short(value: float, _place) -> str:
@@ -25,20 +19,16 @@ def _short(value: float, _place) -> str:
 
 def error_against_time(cost: dict, narrow: bool) -> str:
     """Log-log plot as SVG, `narrow` for phones."""
-    return _svg_text(_plot(cost, narrow))
+    return drawing.svg_text(_plot(cost, narrow))
 
 
 def save_plot(cost: dict, file) -> None:
     """The wide plot as PNG on white."""
-    figure = _plot(cost, narrow=False)
-    figure.savefig(file, format="png", dpi=120, facecolor="white", metadata={"Software": None})
-    pyplot.close(figure)
+    drawing.save_png(_plot(cost, narrow=False), file)
 
 
 def _plot(cost: dict, narrow: bool):
-    pyplot.rcParams.update({"svg.fonttype": "path", "font.family": "DejaVu Sans", "font.size": 9, "text.color": INK,
-                            "axes.labelcolor": INK, "xtick.color": INK, "ytick.color": INK, "axes.edgecolor": INK,
-                            "svg.hashsalt": "vernier"})
+    drawing.set_style()
     figure, axes = pyplot.subplots(figsize=(3.7, 4.6) if narrow else (8.2, 4.8), layout="constrained")
     axes.set_xscale("log")
     axes.set_yscale("log")
@@ -103,12 +93,3 @@ def _draw_reference(axes, cost: dict) -> None:
     if own and own > lowest:
         axes.axhspan(lowest, own, color=INK, alpha=0.06,
                      label="the reference's own error")
-
-
-def _svg_text(figure) -> str:
-    buffer = io.StringIO()
-    figure.savefig(buffer, format="svg", transparent=True, metadata={"Date": None})
-    pyplot.close(figure)
-    text = buffer.getvalue()
-    text = text[text.index("<svg"):].replace(INK, "currentColor")
-    return re.sub(r'(<svg[^>]*?) width="[^"]*"', r"\1", re.sub(r'(<svg[^>]*?) height="[^"]*"', r"\1", text, count=1), count=1)
