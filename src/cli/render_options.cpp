@@ -157,6 +157,14 @@ void add_aov_option(CLI::App& app, std::string& aov) {
       ->type_name("LIST");
 }
 
+void add_bvh_option(CLI::App& app, std::string& bvh) {
+  app.add_option(
+         "--bvh", bvh,
+         "how the tree of boxes is built: fast (Morton codes), default (surface areas, 16 bins) or quality "
+         "(surface areas, all splits); never changes a bit of the image, but of its layer cost (default: default)")
+      ->type_name("METHOD");
+}
+
 void add_dispatch_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--tile", arguments.tile, "pixels of a submission; never changes a bit of the image (default: chosen)")
       ->type_name("WxH");
@@ -180,11 +188,7 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
   add_effects_option(app, arguments.effects);
   // For tests: not in the help, and a pipeline of its own that is slower.
   app.add_flag("--count-effects", arguments.count_effects, "adds effect_runs and rays_by_depth to --json")->group("");
-  app.add_option(
-         "--bvh", arguments.bvh,
-         "how the tree of boxes is built: fast (Morton codes), default (surface areas, 16 bins) or quality "
-         "(surface areas, all splits); never changes a bit of the image, but of its layer cost (default: default)")
-      ->type_name("METHOD");
+  add_bvh_option(app, arguments.bvh);
   add_dispatch_options(app, arguments);
   app.add_option("--time-limit", arguments.time_limit,
                  "stop after S seconds with the samples done by then (default: none)")

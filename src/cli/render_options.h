@@ -56,6 +56,9 @@ void add_effects_option(CLI::App& app, std::string& effects);
 /// Adds --aov.
 void add_aov_option(CLI::App& app, std::string& aov);
 
+/// Adds --bvh.
+void add_bvh_option(CLI::App& app, std::string& bvh);
+
 /// Adds --tile and --dispatch-ms, which change no bit.
 void add_dispatch_options(CLI::App& app, RenderArguments& arguments);
 

@@ -18,6 +18,7 @@ CLI::App& add_view_subcommand(CLI::App& app, ViewArguments& arguments) {
   add_aov_option(command, render.render.aov);
   add_accuracy_option(command, render.render.accuracy);
   add_effects_option(command, render.render.effects);
+  add_bvh_option(command, render.render.bvh);
   add_dispatch_options(command, render.render);
   add_scene_options(command, render.scene);
   command.add_option("--device", render.device, "index or part of the name, see vernier devices (default: the best)")

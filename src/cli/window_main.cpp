@@ -1,14 +1,13 @@
 // The program with the window, which `vernier view` becomes.
 #include <CLI/CLI.hpp>
 #include <chrono>
-#include <cstdio>
-#include <exception>
 #include <fstream>
 #include <sstream>
 
 #include "cli/camera_arguments.h"
 #include "cli/choose_camera.h"
 #include "cli/interrupt.h"
+#include "cli/run_command_line.h"
 #include "cli/save_picture.h"
 #include "cli/scene_setup.h"
 #include "cli/view_options.h"
@@ -28,14 +27,14 @@ SceneSettings with_words(const SceneSettings& settings, const RenderCommandArgum
 }
 
 ViewedScene load_viewed(SceneSettings settings, const RenderCommandArguments& arguments, const CameraWords& words,
-                        double aspect) {
+                        BuildMethod method, double aspect) {
   const auto start = std::chrono::steady_clock::now();
   settings = with_words(settings, arguments, words);
   SceneSetup setup = set_up_scene(settings, aspect);
   print_warnings(setup.scene.warnings);
   ViewedScene viewed;
   viewed.source = settings.scene;
-  viewed.packed = pack_scene(setup.scene, 0);
+  viewed.packed = pack_scene(setup.scene, 0, method);
   viewed.words = words;
   viewed.camera = setup.camera;
   viewed.lights_follow = setup.default_lights;
@@ -69,7 +68,7 @@ void view(const ViewArguments& arguments) {
   plan.load_scene = [&](const std::string& source, const CameraWords& words, double aspect) {
     SceneSettings of_source = settings.scene;
     of_source.scene = source;
-    return load_viewed(of_source, render, words, aspect);
+    return load_viewed(of_source, render, words, settings.render.bvh, aspect);
   };
   plan.camera_of = [&](const Scene& scene, const CameraWords& words, double aspect) {
     return choose_camera(scene, with_words(settings.scene, render, words), aspect);
@@ -78,26 +77,20 @@ void view(const ViewArguments& arguments) {
   view_scene(plan);
 }
 
-int say(ErrorKind kind, const char* line) {
-  std::fprintf(stderr, "error: %s\n", line);
-  return static_cast<int>(kind);
-}
-
 }  // namespace
 }  // namespace vernier
 
 int main(int argc, char** argv) {
   using namespace vernier;
-  try {
-    CLI::App app("The window of vernier view.", "vernier");
-    ViewArguments arguments;
-    add_view_subcommand(app, arguments);
-    CLI11_PARSE(app, argc, argv);
-    view(arguments);
-    return 0;
-  } catch (const Error& error) {
-    return say(error.kind(), error.what());
-  } catch (const std::exception& error) {
-    return say(ErrorKind::failed, error.what());
-  }
+  CLI::App app("The window of vernier view.", "vernier");
+  app.require_subcommand(1);
+  ViewArguments arguments;
+  add_view_subcommand(app, arguments);
+  return run_command_line(
+      app,
+      [&] {
+        view(arguments);
+        return 0;
+      },
+      argc, argv);
 }

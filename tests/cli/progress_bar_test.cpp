@@ -11,6 +11,7 @@ TEST(ProgressLine, ShareRateAndTimeLeft) {
   EXPECT_EQ(progress_line({0.5, 12.34e6, 64.2, ""}, 4), "[##--]  50 %  12.34 Mrays/s  ETA 1:05");
   EXPECT_EQ(progress_line({1.0, 0.0, 0.0, ""}, 0), "100 %");
   EXPECT_EQ(progress_line({0.5, 0.0, 2.0, "BVH"}, 4), "BVH [##--]  50 %  ETA 0:02");
+  EXPECT_EQ(progress_line({0.009, 0.0, 9000.0, "BVH"}, 4), "BVH [----]   0 %") << "begun a moment ago: no estimate";
 }
 
 TEST(ProgressLine, UnknownFiguresAreLeftOut) {

@@ -1,8 +1,9 @@
 """Wrong usage ends with exit code 2 and one line that names the option, before anything is read or written."""
 
+import subprocess
 import unittest
 
-from program import FAILED, SCENE, USAGE, ProgramTest
+from program import FAILED, PROGRAM, SCENE, USAGE, ProgramTest
 
 BAD_OPTIONS = {
     "--size": ["12", "0x5", "5x0", "-1x5", "70000x1", "4x4x4", "axb", "65536x65536", "", " 4x4"],
@@ -58,6 +59,15 @@ class UsageTest(ProgramTest):
         self.check_error(USAGE, "--script", "view", SCENE, "--record", "shots")
         self.check_error(USAGE, "--record", "view", SCENE, "--script", "script.txt")
         self.check_error(USAGE, "--crop", "view", SCENE, "--crop", "0,0,1,1")
+        self.check_error(USAGE, "--bvh", "view", SCENE, "--bvh", "best")
+
+    def test_the_window_program_by_itself_tells_wrong_usage_the_same_way(self):
+        for words in (["view", SCENE, "--size", "0x5"], ["view", "--gone"], ["gone"], []):
+            with self.subTest(words=words):
+                result = subprocess.run([PROGRAM + "-view", *words], cwd=self.folder, capture_output=True, text=True, check=False)
+                self.assertEqual(result.returncode, USAGE, result.stderr)
+                self.assertEqual(result.stderr.count("\n"), 1, result.stderr)
+                self.assertTrue(result.stderr.startswith("error: "), result.stderr)
         self.assertEqual(self.files(), [])
 
     def test_view_without_a_screen(self):

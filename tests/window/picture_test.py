@@ -17,23 +17,17 @@ class PictureTest(WindowTest):
         self.assertGreater(first.colors(), 1000, "a rendered scene, not a plain window")
 
         self.screen.drag((200, 340), (320, 350))
-        view.settle("the picture after a drag")
-        turned = view.picture()
-        self.assertGreater(turned.difference(first), OTHER_VIEW, "a drag turns the camera")
+        turned = view.picture_that(lambda picture: picture.difference(first) > OTHER_VIEW, "a drag turns the camera")
 
         self.screen.point(240, 340)
         self.screen.key("f")
-        view.settle("the picture after F")
-        framed = view.picture()
-        self.assertGreater(framed.difference(turned), OTHER_VIEW, "F frames all")
+        view.picture_that(lambda picture: picture.difference(turned) > OTHER_VIEW, "F frames all")
 
         self.screen.key("1")
-        view.settle("the picture after 1")
-        self.assertEqual(view.picture().difference(first), 0.0, "1 is the file's first camera, as at the start")
+        view.picture_that(lambda picture: picture.difference(first) == 0.0, "1 is the file's first camera, as at the start")
 
         self.screen.key("w")
-        view.settle("the picture after W")
-        self.assertGreater(view.picture().difference(first), OTHER_VIEW, "W walks forward")
+        view.picture_that(lambda picture: picture.difference(first) > OTHER_VIEW, "W walks forward")
 
     def test_resized_windows_keep_the_aspect(self):
         view = self.open(SCENES / "glass_ball.glb", "--background", "0.5,0.2,0.1")

@@ -84,6 +84,17 @@ class View:
         self.screen.point(*OUTSIDE)
         return self.screen.picture().part(0, 0, *ROOM)
 
+    def picture_that(self, holds, what):
+        """The settled picture, once it holds(picture): on a busy machine an input may arrive after a picture has settled."""
+        end = time.monotonic() + PATIENCE
+        while True:
+            self.settle(what)
+            picture = self.picture()
+            if holds(picture):
+                return picture
+            if time.monotonic() > end:
+                raise AssertionError(f"{what}: waited in vain; {self.state()} {self.said()}")
+
     def said(self):
         self.errors.flush()
         return Path(self.errors.name).read_text(encoding="utf-8")

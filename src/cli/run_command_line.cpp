@@ -1,0 +1,39 @@
+#include "cli/run_command_line.h"
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "error.h"
+
+namespace vernier {
+namespace {
+
+int say(ErrorKind kind, const std::string& line) {
+  std::fprintf(stderr, "error: %s\n", line.c_str());
+  return static_cast<int>(kind);
+}
+
+}  // namespace
+
+int run_command_line(CLI::App& app, const Command& chosen, int argc, char** argv) {
+  try {
+    app.parse(argc, argv);
+    return chosen();
+  } catch (const CLI::Success& help_or_version) {
+    return app.exit(help_or_version);
+  } catch (const CLI::ParseError& error) {
+    const std::vector<CLI::App*> command = app.get_subcommands();
+    const std::string name = command.empty() ? "vernier" : "vernier " + command.front()->get_name();
+    return say(ErrorKind::usage, std::string(error.what()) + "; see " + name + " --help");
+  } catch (const Error& error) {
+    return say(error.kind(), error.what());
+  } catch (const std::bad_alloc&) {
+    return say(ErrorKind::failed, "not enough memory on the host");
+  } catch (const std::exception& error) {
+    return say(ErrorKind::failed, error.what());
+  }
+}
+
+}  // namespace vernier
