@@ -119,7 +119,8 @@ class Writer:
 
 def write_scene(path: pathlib.Path, triangle_count: int, texture_count: int = 0, glass: bool = True) -> None:
     """About `triangle_count` triangles, with `texture_count` textures per material (0 to 4)."""
-    rows = max(2, round(((1.0 - GROUND_SHARE) * triangle_count / GRID**2 / 4.0) ** 0.5))
+    # A sphere has 4 rows (rows - 1) triangles.
+    rows = max(2, round(((1.0 - GROUND_SHARE) * triangle_count / GRID**2 / 4.0) ** 0.5 + 0.5))
     cells = max(2, round((GROUND_SHARE * triangle_count / 2.0) ** 0.5))
     writer = Writer()
     clear = {"KHR_materials_transmission": {"transmissionFactor": 1.0}, "KHR_materials_ior": {"ior": 1.5}} if glass else {}
