@@ -66,7 +66,7 @@ std::string progress_line(const ProgressState& state, int bar_width) {
   if (known(state.rays_per_s)) {
     line += "  " + rate_text(state.rays_per_s);
   }
-  constexpr double kLongest_s = 1e9;  // beyond 30 years an estimate says nothing
+  constexpr double kLongest_s = 1e9;    // beyond 30 years an estimate says nothing
   constexpr double kLeastShare = 0.01;  // what has hardly begun tells nothing of its end
   if (known(state.eta_s) && state.eta_s < kLongest_s && share >= kLeastShare) {
     line += "  ETA " + clock_text(state.eta_s);
