@@ -14,6 +14,23 @@ std::string cost_text(const PanelState& state, const EffectReason& effect) {
   return "";
 }
 
+/// The button that begins the measurement, or how far it is.
+void draw_measuring(PanelState& state, PanelActions& actions) {
+  if (state.measuring) {
+    ImGui::ProgressBar(static_cast<float>(*state.measuring), {-1.0f, 0.0f}, "Measuring (Esc ends it)");
+    note_place(state.places, "Measuring");
+    return;
+  }
+  if (ImGui::Button("Measure what each costs", {-1.0f, 0.0f})) actions.measure = true;
+  note_place(state.places, "Measure");
+  if (!state.ledger) return;
+  quiet_text("Share of the frame's time that leaving it out saves");
+  note_place(state.places, "Costs");
+  if (state.ledger->complete) return;
+  quiet_text("Ended before all were measured");
+  note_place(state.places, "Unmeasured");
+}
+
 void draw_effect(const ViewSession& session, const EffectReason& effect, PanelState& state, PanelActions& actions) {
   // The reason belongs to the switch above it: closer to that than to the next one.
   const ImVec2 spacing = ImGui::GetStyle().ItemSpacing;
@@ -41,10 +58,7 @@ void draw_effect(const ViewSession& session, const EffectReason& effect, PanelSt
 
 void draw_effects_section(const ViewSession& session, PanelState& state, PanelActions& actions) {
   if (!section("Effects", true)) return;
-  if (ImGui::Button(state.measuring ? "Measuring ..." : "Measure what each costs", {-1.0f, 0.0f}))
-    actions.measure = true;
-  note_place(state.places, "Measure");
-  if (state.ledger) quiet_text("Share of the frame's time that leaving it out saves");
+  draw_measuring(state, actions);
   if (state.settings.effects != "auto" && ImGui::Button("As the scene asks (auto)", {-1.0f, 0.0f})) {
     state.settings.effects = "auto";
     actions.settings = state.settings;

@@ -22,8 +22,8 @@ struct PanelState {
   glm::ivec2 edited_tile = glm::ivec2(0);
   DisplaySettings display;
   std::optional<EffectLedger> ledger;  ///< of the scene, once measured
-  bool measuring = false;
-  std::optional<PixelFacts> pixel;  ///< under the mouse
+  std::optional<double> measuring;     ///< share of the ledger that is done, while it is being measured
+  std::optional<PixelFacts> pixel;     ///< under the mouse
   glm::ivec2 pixel_place = glm::ivec2(0);
   FileBrowser browser;
   WidgetPlaces places;

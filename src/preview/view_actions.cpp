@@ -198,10 +198,22 @@ void ViewWindow::set_settings(const RenderSettings& settings) {
   stale_ = true;
 }
 
+/// Whatever is asked for meanwhile ends it: what is measured by then is kept. Each step compiles a kernel, so that it
+/// may take seconds.
 void ViewWindow::measure() {
-  state_.measuring = true;
-  state_.ledger = session_->measure_effects([this](double) { frame(0.0); }, [this] { return is_closing(); });
-  state_.measuring = false;
+  state_.measuring = 0.0;
+  try {
+    state_.ledger = session_->measure_effects(
+        [this](double share) {
+          state_.measuring = share;
+          frame(0.0);
+        },
+        [this] { return has_work(); });
+  } catch (const Error&) {
+    state_.measuring.reset();
+    throw;
+  }
+  state_.measuring.reset();
 }
 
 void ViewWindow::save() {

@@ -84,11 +84,13 @@ void ViewWindow::note(const PanelActions& now) {
 }
 
 void ViewWindow::take_input(glm::ivec2 room) {
+  if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) actions_.stop = true;
+  // A drag may begin and end within one step of a measurement: what is seen of it then is that a button went down.
+  const bool pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
+                       ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
+  if (state_.measuring && pressed && !ImGui::GetIO().WantCaptureMouse) actions_.stop = true;
   // A picture that is being rendered is not thrown away by a slip of the mouse: Stop comes first.
-  if (session_->state().rendering) {
-    if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) actions_.stop = true;
-    return;
-  }
+  if (session_->state().rendering) return;
   const OrbitView& so_far = wanted_view_ ? *wanted_view_ : view_;
   if (const auto view = camera_input(so_far, static_cast<float>(room.x), static_cast<float>(room.y))) {
     latency_.input(earliest_input_);

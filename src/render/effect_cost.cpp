@@ -128,20 +128,22 @@ std::uint32_t left_out_with(const EffectSet& plan, const EffectReason& effect) {
 
 EffectLedger measure_effect_costs(const Device& device, const Scene& scene, const Camera& camera,
                                   const RenderSettings& settings, const EffectSet& plan, const EffectCostSetup& setup) {
-  Bench bench(device, scene, camera, settings, plan, setup.rounds);
+  const double steps = std::popcount(plan.bits) + 2.0;
+  double done = 0.0;
   EffectLedger ledger;
+  const auto goes_on = [&] {
+    if (setup.progress) setup.progress(++done / steps);
+    ledger.complete = !setup.stop || !setup.stop();
+    return ledger.complete;
+  };
+  Bench bench(device, scene, camera, settings, plan, setup.rounds);
   ledger.rays = bench.rays();
   ledger.saved = bench.saved();
-  ledger.bounces = bench.bounces();
   ledger.all = bench.ratio_of_all();
-  const double steps = std::popcount(plan.bits) + 1.0;
+  if (goes_on()) ledger.bounces = bench.bounces();
   for (const EffectReason& effect : plan.reasons) {
     if (!effect.on) continue;
-    if (setup.progress) setup.progress((static_cast<double>(ledger.effects.size()) + 1.0) / steps);
-    if (setup.stop && setup.stop()) {
-      ledger.complete = false;
-      break;
-    }
+    if (!ledger.complete || !goes_on()) break;
     ledger.effects.push_back(bench.cost_without(effect.bit, plan.bits, left_out_with(plan, effect)));
   }
   ledger.frame_ms = bench.frame_ms();

@@ -95,6 +95,29 @@ class SettingsTest(WindowTest):
         view.settle()
         self.assertGreater(view.picture().difference(before), 0.05, "the other scene")
 
+    def test_effects_are_measured_in_the_panel(self):
+        view = self.open(SCENES / "mirror_pair.glb")
+        view.settle()
+        before = view.picture()
+        view.scroll_to("Measure")
+        view.click("Measure")
+        view.wait(lambda state: "Costs" in state["places"], "what each effect costs")
+        self.assertNotIn("Measuring", view.state()["places"])
+        view.settle()
+        self.assertEqual(view.picture().difference(before), 0.0, "measuring leaves the picture as it is")
+
+    def test_whoever_goes_on_ends_the_measurement(self):
+        view = self.open(SCENES / "every_effect.glb")
+        view.settle()
+        before = view.picture()
+        view.scroll_to("Measure")
+        view.click("Measure")
+        view.wait(lambda state: "Measuring" in state["places"], "a measurement")
+        self.screen.click(200, 340)
+        view.wait(lambda state: "Unmeasured" in state["places"], "an end before all are measured")
+        self.screen.drag((200, 340), (320, 350))
+        view.picture_that(lambda picture: picture.difference(before) > 0.05, "the camera turns")
+
 
 if __name__ == "__main__":
     unittest.main()
