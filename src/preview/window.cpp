@@ -23,12 +23,16 @@ void receive_drops(GLFWwindow* window, int count, const char** paths) {
   drops->insert(drops->end(), paths, paths + count);
 }
 
+/// `size`, or less where the screen is smaller once GLFW has made it larger by what the desktop says of its density.
 glm::ivec2 at_most_the_screen(glm::ivec2 size) {
   GLFWmonitor* monitor = glfwGetPrimaryMonitor();
   if (monitor == nullptr) return size;
   glm::ivec2 corner, screen;
   glfwGetMonitorWorkarea(monitor, &corner.x, &corner.y, &screen.x, &screen.y);
-  return screen.x > 0 && screen.y > 0 ? glm::min(size, screen) : size;
+  glm::vec2 scale(1.0f);
+  glfwGetMonitorContentScale(monitor, &scale.x, &scale.y);
+  const glm::ivec2 room(glm::vec2(screen) / glm::max(scale, glm::vec2(1.0f)));
+  return room.x > 0 && room.y > 0 ? glm::min(size, room) : size;
 }
 
 }  // namespace
@@ -37,6 +41,7 @@ Window::Window(const std::string& title, glm::ivec2 size) {
   if (glfwInit() != GLFW_TRUE) throw Error(ErrorKind::failed, "no window can be opened: " + last_failure());
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
   const glm::ivec2 fitting = at_most_the_screen(size);
   window_ = glfwCreateWindow(fitting.x, fitting.y, title.c_str(), nullptr, nullptr);
   if (window_ == nullptr) {

@@ -1,9 +1,12 @@
 """The picture comes, follows mouse and keys, and keeps its sides when the window does not."""
 
+import subprocess
 import time
 import unittest
+from pathlib import Path
 
-from window import PANEL, SCENES, SIZE, SURROUND, WindowTest
+from screen import Screen
+from window import PANEL, ROOM, SCENES, SIZE, SURROUND, WindowTest
 
 # The scene fills 40 % of the room: in a picture of another view over an eighth of its pixels are others.
 OTHER_VIEW = 0.05
@@ -43,6 +46,19 @@ class PictureTest(WindowTest):
                 self.assertTrue(width == room.width or height == room.height, "as large as there is room")
                 self.assertAlmostEqual(left, room.width - width - left, delta=1)
                 self.assertAlmostEqual(top, room.height - height - top, delta=1)
+    def test_dense_screens_get_larger_panels_and_a_larger_window(self):
+        dense = Screen(2560, 1440)
+        self.addCleanup(dense.close)
+        subprocess.run([Path(__file__).with_name("set_text_dpi.py"), dense.name, "192"], check=True, timeout=60)
+        plain = self.open(SCENES / "mirror_pair.glb")
+        button = plain.settle()["places"]["Render"]
+        self.close(plain)
+        scaled = self.open_on(dense, SCENES / "mirror_pair.glb")
+        left, top, width, height = scaled.settle()["places"]["Render"]
+        self.assertAlmostEqual(width, 2 * button[2], delta=2)
+        self.assertAlmostEqual(height, 2 * button[3], delta=2)
+        self.assertAlmostEqual(top, 2 * button[1], delta=2)
+        self.assertGreater(left, 2 * ROOM[0], "right of the room for the picture: the window has grown with its panels")
 
 
 if __name__ == "__main__":

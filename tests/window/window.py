@@ -129,7 +129,11 @@ class WindowTest(unittest.TestCase):
 
     def open(self, *arguments):
         """A window, small unless `arguments` say otherwise, that is closed at the end of the test without a fault."""
-        view = View(self.screen, self.folder, *arguments, "--size", f"{SIZE[0]}x{SIZE[1]}")
+        return self.open_on(self.screen, *arguments)
+
+    def open_on(self, screen, *arguments):
+        """The same on another screen. One window at a time: files of a second one would lie where the first's do."""
+        view = View(screen, self.folder, *arguments, "--size", f"{SIZE[0]}x{SIZE[1]}")
         self.addCleanup(self.close, view)
         return view
 
