@@ -110,6 +110,7 @@ void add_outcome(nlohmann::ordered_json& json, const RenderReport& report) {
   json["error_estimate"] = nullptr;  // only known with an error target
   if (statistics.error) json["error_estimate"] = statistics.error->bound();
   json["peak_memory"] = {{"host_bytes", peak_host_bytes()}, {"device_bytes", statistics.device_bytes}};
+  json["needed_memory"] = {{"host_bytes", report.memory.host_bytes}, {"device_bytes", report.memory.device_bytes}};
   json["saved_memory"] = saved_json(statistics.saved);
   json["warnings"] = report.warnings;
 }

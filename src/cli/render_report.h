@@ -4,6 +4,7 @@
 #include <string>
 
 #include "gpu/device.h"
+#include "render/memory_need.h"
 #include "render/render_settings.h"
 #include "render/render_statistics.h"
 
@@ -18,6 +19,7 @@ struct RenderReport {
   double load_ms = 0.0;
   std::vector<std::string> warnings;  ///< of the scene and of the render
   std::string pipeline_note;          ///< what came of the file of compiled pipelines
+  MemoryNeed memory;                  ///< as it was foreseen
 };
 
 /// What was not allocated, in bytes.
@@ -35,8 +37,8 @@ std::uint64_t ray_count(const RayCounts& rays);
 /// Rays per second of wall time spent tracing; 0 where no time was measured.
 double rays_per_s(const RenderStatistics& statistics);
 
-/// The object of schema 1; null for what does not apply. Times in milliseconds, memory in bytes (host: the peak of the
-/// process).
+/// The object of schema 1; null for what does not apply. Times in milliseconds, memory in bytes (peak_memory of the
+/// host: of the whole process; needed_memory: what the scene was foreseen to take at most).
 nlohmann::ordered_json render_json(const RenderReport& report);
 
 /// One line for stderr: size, samples, rays, rays per second, seconds, file.

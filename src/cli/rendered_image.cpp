@@ -1,5 +1,6 @@
 #include "cli/rendered_image.h"
 
+#include <cstdio>
 #include <filesystem>
 #include <optional>
 
@@ -14,6 +15,7 @@
 #include "error.h"
 #include "render/film_file.h"
 #include "render/gpu_scene.h"
+#include "render/memory_need.h"
 #include "render/pipeline_file.h"
 #include "render/render_image.h"
 #include "render/trace_pipeline.h"
@@ -29,6 +31,13 @@ std::optional<SavedFilm> read_resumed(const RenderPlan& plan) {
   std::error_code failure;
   if (plan.resume == plan.checkpoint && !std::filesystem::exists(plan.resume, failure)) return std::nullopt;
   return read_film_file(plan.resume);
+}
+
+/// Large scenes take their time: whether there is room for them is known before.
+void check_and_tell(const std::string& source, const MemoryNeed& need, const MemoryThere& there, bool quiet) {
+  constexpr std::uint64_t kLarge = 1'000'000;
+  check_memory(source, need, there);
+  if (need.triangles >= kLarge && !quiet) std::fprintf(stderr, "%s\n", memory_text(need, there).c_str());
 }
 
 RenderResult render_with_progress(const Device& device, const SceneSetup& setup, const RenderPlan& plan,
@@ -90,13 +99,15 @@ RenderedImage render_planned(const RenderPlan& plan) {
   const RecipeMaker maker{description.name, description.driver, trace_spirv_hash(choose_scene_loads(description))};
   const Metadata recipe = render_recipe(plan.scene_arguments, setup.scene.files, plan.render_arguments, maker);
   if (resumed) match_recipes("this render", recipe, plan.resume, resumed->recipe, {});
+  const MemoryNeed memory = memory_need(setup.scene);
+  check_and_tell(setup.scene.source, memory, memory_there(description), plan.quiet);
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
   RenderResult result = render_with_progress(device.device(), setup, plan, recipe, resumed ? &*resumed : nullptr);
   print_warnings(result.statistics.warnings);
 
   result.image.metadata.merge(describe_image(plan, result.image, result.statistics, recipe));
-  RenderReport report{setup.scene.source, description,          plan.settings, std::move(result.statistics),
-                      setup.load_ms,      setup.scene.warnings, device.store()};
+  RenderReport report{setup.scene.source, description,          plan.settings,  std::move(result.statistics),
+                      setup.load_ms,      setup.scene.warnings, device.store(), memory};
   report.warnings.insert(report.warnings.end(), report.statistics.warnings.begin(), report.statistics.warnings.end());
   return {std::move(result.image), std::move(report)};
 }

@@ -4,6 +4,7 @@
 
 #include "cli/builtin_scene.h"
 #include "cli/choose_camera.h"
+#include "render/memory_need.h"
 #include "scene/environment_image.h"
 #include "scene/frame_scene.h"
 #include "scene/load_scene.h"
@@ -53,6 +54,7 @@ SceneSetup set_up_scene(const SceneSettings& settings, double aspect) {
   const auto start = std::chrono::steady_clock::now();
   SceneSetup setup;
   setup.scene = load_input(settings);
+  check_memory(setup.scene.source, memory_need(setup.scene), memory_there());
   setup.camera = choose_camera(setup.scene, settings, aspect);
   setup.default_lights = setup.scene.lights.empty() && settings.lights.empty();
   set_lighting(setup.scene, setup.camera, settings);

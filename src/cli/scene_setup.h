@@ -14,8 +14,8 @@ struct SceneSetup {
 };
 
 /// Loads the scene that `settings` name (the built-in one without a name), chooses the camera for an image of
-/// `aspect` = width / height and sets the light. Throws Error(refused) for a broken file, Error(usage) for a camera
-/// that is not there.
+/// `aspect` = width / height and sets the light. Throws Error(refused) for a broken file and for a scene that the
+/// host's memory cannot hold, Error(usage) for a camera that is not there.
 SceneSetup set_up_scene(const SceneSettings& settings, double aspect);
 
 /// Puts the lights and the environment of `settings` in place of the file's and adds the default lighting that is

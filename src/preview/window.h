@@ -15,8 +15,9 @@ namespace vernier {
 /// The window system, and one window. Owns both; one at a time in a program. Not movable: callbacks point here.
 class Window {
  public:
-  /// Makes a window, not yet to be seen, whose inside measures `size` screen coordinates, times what the desktop says of
-  /// its density (2 for 192 dots per inch), or less where the screen is smaller. Throws Error(failed) without a display.
+  /// Makes a window, not yet to be seen, whose inside measures `size` screen coordinates, times what the desktop says
+  /// of its density (2 for 192 dots per inch), or less where the screen is smaller. Throws Error(failed) without a
+  /// display.
   Window(const std::string& title, glm::ivec2 size);
   ~Window();
   Window(const Window&) = delete;

@@ -11,27 +11,6 @@
 namespace vernier {
 namespace {
 
-VertexLayout choose_layout(const Scene& scene) {
-  bool normals = false, uv01 = false, uv23 = false, colors = false, tangents = false;
-  for (const Mesh& mesh : scene.meshes) {
-    normals |= !mesh.normals.empty();
-    uv01 |= !mesh.uvs[0].empty() || !mesh.uvs[1].empty();
-    uv23 |= !mesh.uvs[2].empty() || !mesh.uvs[3].empty();
-    colors |= !mesh.colors.empty();
-    tangents |= !mesh.tangents.empty();
-  }
-  VertexLayout layout{.texels = 0, .normal = NONE, .uv01 = NONE, .uv23 = NONE, .color = NONE, .tangent = NONE};
-  const auto place = [&](bool present, std::uint32_t& texel) {
-    if (present) texel = layout.texels++;
-  };
-  place(normals, layout.normal);
-  place(uv01, layout.uv01);
-  place(uv23, layout.uv23);
-  place(colors, layout.color);
-  place(tangents, layout.tangent);
-  return layout;
-}
-
 void put(std::uint32_t* vertex, std::uint32_t texel, const glm::vec4& value) {
   if (texel == NONE) return;
   for (int i = 0; i < 4; ++i)
@@ -109,9 +88,30 @@ void bake_instance(const Scene& scene, std::uint32_t instance_index, const Trace
 
 }  // namespace
 
+VertexLayout choose_vertex_layout(const Scene& scene) {
+  bool normals = false, uv01 = false, uv23 = false, colors = false, tangents = false;
+  for (const Mesh& mesh : scene.meshes) {
+    normals |= !mesh.normals.empty();
+    uv01 |= !mesh.uvs[0].empty() || !mesh.uvs[1].empty();
+    uv23 |= !mesh.uvs[2].empty() || !mesh.uvs[3].empty();
+    colors |= !mesh.colors.empty();
+    tangents |= !mesh.tangents.empty();
+  }
+  VertexLayout layout{.texels = 0, .normal = NONE, .uv01 = NONE, .uv23 = NONE, .color = NONE, .tangent = NONE};
+  const auto place = [&](bool present, std::uint32_t& texel) {
+    if (present) texel = layout.texels++;
+  };
+  place(normals, layout.normal);
+  place(uv01, layout.uv01);
+  place(uv23, layout.uv23);
+  place(colors, layout.color);
+  place(tangents, layout.tangent);
+  return layout;
+}
+
 BakedScene bake_instances(const Scene& scene, const TracedSpace& space) {
   BakedScene baked;
-  baked.layout = choose_layout(scene);
+  baked.layout = choose_vertex_layout(scene);
   std::size_t triangle_count = 0;
   std::size_t vertex_count = 0;
   for (const Instance& instance : scene.instances) {

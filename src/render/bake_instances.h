@@ -15,6 +15,9 @@ struct VertexLayout {
   std::uint32_t normal, uv01, uv23, color, tangent;
 };
 
+/// A texel for each attribute that any mesh of `scene` has.
+VertexLayout choose_vertex_layout(const Scene& scene);
+
 /// All instances as one list of triangles in the traced space, in the order of the global triangle numbers.
 struct BakedScene {
   std::vector<BvhTriangle> corners;         ///< [triangle], id = index

@@ -117,12 +117,15 @@ std::vector<glm::dmat4> gltf_node_instances(const GltfDocument& document, int no
   const int translation = instancing_accessor(document, attributes, "TRANSLATION", place, count);
   const int rotation = instancing_accessor(document, attributes, "ROTATION", place, count);
   const int scale = instancing_accessor(document, attributes, "SCALE", place, count);
-  std::vector<glm::vec3> translations(count, glm::vec3(0.0f));
-  std::vector<glm::vec4> rotations(count, glm::vec4(0, 0, 0, 1));
-  std::vector<glm::vec3> scales(count, glm::vec3(1.0f));
+  // What is there first: reading checks the count against the file.
+  std::vector<glm::vec3> translations, scales;
+  std::vector<glm::vec4> rotations;
   if (translation >= 0) translations = read_gltf_vectors<3>(document, translation, place);
   if (rotation >= 0) rotations = read_gltf_vectors<4>(document, rotation, place);
   if (scale >= 0) scales = read_gltf_vectors<3>(document, scale, place);
+  translations.resize(count, glm::vec3(0.0f));
+  rotations.resize(count, glm::vec4(0, 0, 0, 1));
+  scales.resize(count, glm::vec3(1.0f));
   std::vector<glm::dmat4> instances;
   for (std::size_t i = 0; i < count; ++i) instances.push_back(transform_of(translations[i], rotations[i], scales[i]));
   return instances;

@@ -42,6 +42,31 @@ bool stays_in_range(const glm::dmat4& m, const Mesh& mesh) {
   });
 }
 
+/// The largest absolute coordinate of each mesh; infinite where one is not finite.
+std::vector<double> reaches(const std::vector<Mesh>& meshes) {
+  std::vector<double> out;
+  for (const Mesh& mesh : meshes) {
+    double& reach = out.emplace_back(0.0);
+    for (const glm::vec3& p : mesh.positions) {
+      const double farthest = std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+      reach = is_finite(p) ? std::max(reach, farthest) : std::numeric_limits<double>::infinity();
+      if (std::isinf(reach)) break;
+    }
+  }
+  return out;
+}
+
+/// Whether no point within `reach` of a mesh's origin along each axis comes near the range's end: then no vertex has to
+/// be asked, be there ever so many instances.
+bool stays_far_from_range(const glm::dmat4& m, double reach) {
+  double farthest = 0.0;
+  for (int row = 0; row < 3; ++row) {
+    const double turned = std::abs(m[0][row]) + std::abs(m[1][row]) + std::abs(m[2][row]);
+    farthest = std::max(farthest, turned * reach + std::abs(m[3][row]));
+  }
+  return farthest <= kLargestCoordinate / 2.0;
+}
+
 bool is_dropped(const glm::uvec3& triangle) {
   return triangle == glm::uvec3(0);
 }
@@ -123,9 +148,11 @@ void drop(std::vector<Element>& elements, const char* name, const std::string& k
 void drop_instances(Scene& scene, FaultList& faults) {
   drop(scene.instances, "instance", "instances with a singular or non-finite transform are dropped", faults,
        [](const Instance& instance) { return is_regular(instance.world_from_object); });
+  const std::vector<double> reach = reaches(scene.meshes);
   drop(scene.instances, "instance", "instances beyond the range of float are dropped", faults,
        [&](const Instance& instance) {
-         return stays_in_range(instance.world_from_object, scene.meshes[instance.mesh]);
+         return stays_far_from_range(instance.world_from_object, reach[instance.mesh]) ||
+                stays_in_range(instance.world_from_object, scene.meshes[instance.mesh]);
        });
 }
 

@@ -29,6 +29,15 @@ def gltf(nodes, corners, uvs=None):
                        "buffers": [{"byteLength": offset, "uri": "data:application/octet-stream;base64," + data}]})
 
 
+def instanced(places, corners):
+    """A mesh at many places, both of accessors without data: text of a few hundred bytes for any number of them."""
+    node = {"mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 1}}}}
+    accessors = [{"componentType": 5126, "count": count, "type": "VEC3"} for count in (corners, places)]
+    return json.dumps({"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_mesh_gpu_instancing"], "scene": 0,
+                       "scenes": [{"nodes": [0]}], "nodes": [node], "accessors": accessors,
+                       "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}]})
+
+
 class SickInputTest(ProgramTest):
     def render(self, name):
         """The picture's bytes and the warnings."""
@@ -53,6 +62,12 @@ class SickInputTest(ProgramTest):
     def test_corners_that_are_not_finite(self):
         self.check_same_picture(SOUND + "v nan 0 0\nv 0 inf 0\nv 1e39 0 0\nf 1 2 4\nf 1 2 5\nf 1 6 3\n", SOUND,
                                 "and 2 more: triangles with a non-finite corner are dropped")
+
+    def test_more_than_memory_holds_is_refused_before_it_is_taken(self):
+        self.write("many.gltf", instanced(places=60_000, corners=99_999))  # 2 000 000 000 triangles
+        self.check_error(REFUSED, "of the host's memory", "render", "many.gltf", "-o", "out.png", *VIEW)
+        self.write("places.gltf", instanced(places=400_000_000, corners=3))
+        self.check_error(REFUSED, "400000000 elements are more than", "render", "places.gltf", "-o", "out.png", *VIEW)
 
     def test_nothing_but_sick_corners_is_refused(self):
         self.write("sick.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n")

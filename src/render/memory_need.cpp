@@ -1,0 +1,117 @@
+#include "render/memory_need.h"
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+
+#include "bvh/bvh.h"
+#include "error.h"
+#include "render/bake_instances.h"
+#include "shared/bvh_record.h"
+
+namespace vernier {
+namespace {
+
+/// Per triangle, all that lives at once when the BVH is written: box references 32, binary nodes 32, plans of the
+/// collapse 24.
+constexpr std::uint64_t kBuildBytes = 88;
+/// Vertices and material 16, instance and number in the mesh 8.
+constexpr std::uint64_t kTriangleBytes = 24;
+/// Of an attribute of a vertex.
+constexpr std::uint64_t kTexelBytes = 16;
+
+/// Most nodes have four children, so that there are four for ten triangles: half as many are not met.
+std::uint64_t most_records(std::uint64_t triangles) {
+  return triangles + triangles / 2 + 1;
+}
+
+std::uint64_t texture_bytes(const Scene& scene) {
+  std::vector<const Texels*> counted;
+  std::uint64_t bytes = 0;
+  for (const Texture& texture : scene.textures) {
+    if (std::ranges::find(counted, texture.texels.get()) != counted.end()) continue;
+    counted.push_back(texture.texels.get());
+    bytes += 4 * texture.texels->words.size();
+  }
+  return bytes;
+}
+
+/// A number of bytes from the file at `path` that holds one by itself or behind `label`.
+std::optional<std::uint64_t> read_bytes(const std::string& path, const std::string& label, std::uint64_t unit) {
+  std::ifstream file(path);
+  std::string word;
+  while (!label.empty() && file >> word && word != label) {
+  }
+  std::uint64_t value = 0;
+  if (!(file >> value)) return std::nullopt;
+  return value <= std::numeric_limits<std::uint64_t>::max() / unit ? value * unit : value;
+}
+
+std::string gigabytes(std::uint64_t bytes) {
+  const std::uint64_t tenths = (bytes + 99'999'999) / 100'000'000;
+  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " GB";
+}
+
+/// What the host needs at the most.
+std::uint64_t of_host(const MemoryNeed& need, const MemoryThere& there) {
+  return need.host_bytes + (there.shared ? need.device_bytes : 0);
+}
+
+void check(const std::string& source, const MemoryNeed& need, std::uint64_t needed, std::optional<std::uint64_t> there,
+           const char* whose) {
+  if (!there || needed <= *there) return;
+  throw Error(ErrorKind::refused, source + ": " + std::to_string(need.triangles) + " triangles need " +
+                                      gigabytes(needed) + " of the " + whose + "'s memory, " + gigabytes(*there) +
+                                      " are there; simplify or split the model");
+}
+
+}  // namespace
+
+MemoryNeed memory_need(const Scene& scene) {
+  MemoryNeed need;
+  std::uint64_t vertices = 0;
+  for (const Instance& instance : scene.instances) {
+    need.triangles += scene.meshes[instance.mesh].triangles.size();
+    vertices += scene.meshes[instance.mesh].positions.size();
+  }
+  need.device_bytes = need.triangles * kTriangleBytes + most_records(need.triangles) * sizeof(BvhRecord) +
+                      vertices * choose_vertex_layout(scene).texels * kTexelBytes + texture_bytes(scene);
+  need.host_bytes = need.device_bytes + need.triangles * (sizeof(BvhTriangle) + kBuildBytes);
+  return need;
+}
+
+MemoryThere memory_there() {
+  MemoryThere there;
+  there.host_bytes = read_bytes("/proc/meminfo", "MemAvailable:", 1024);
+  const auto most = read_bytes("/sys/fs/cgroup/memory.max", "", 1);
+  const auto used = read_bytes("/sys/fs/cgroup/memory.current", "", 1);
+  if (most && used) {
+    const std::uint64_t left = *most - std::min(*most, *used);
+    there.host_bytes = std::min(there.host_bytes.value_or(left), left);
+  }
+  return there;
+}
+
+MemoryThere memory_there(const DeviceDescription& device) {
+  MemoryThere there = memory_there();
+  there.shared = device.is_cpu;
+  // lavapipe says 2 GiB, whatever the host has.
+  if (!there.shared) there.device_bytes = device.device_memory_bytes;
+  return there;
+}
+
+void check_memory(const std::string& source, const MemoryNeed& need, const MemoryThere& there) {
+  check(source, need, need.device_bytes, there.device_bytes, "device");
+  check(source, need, of_host(need, there), there.host_bytes, "host");
+}
+
+std::string memory_text(const MemoryNeed& need, const MemoryThere& there) {
+  const auto of = [](std::optional<std::uint64_t> bytes, const char* whose) {
+    return std::string(" of the ") + whose + "'s" + (bytes ? " " + gigabytes(*bytes) : "");
+  };
+  const std::string device = gigabytes(need.device_bytes);
+  return "memory: at most " + gigabytes(of_host(need, there)) + of(there.host_bytes, "host") +
+         (there.shared ? ", " + device + " of them for the device" : ", " + device + of(there.device_bytes, "device"));
+}
+
+}  // namespace vernier

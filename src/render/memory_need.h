@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "gpu/device.h"
+#include "scene/scene.h"
+
+namespace vernier {
+
+/// Memory that a scene will take beyond what it takes as loaded; a render's film is not in it.
+struct MemoryNeed {
+  std::uint64_t triangles = 0;     ///< of all instances
+  std::uint64_t host_bytes = 0;    ///< while its arrays and BVH are made, an upper bound
+  std::uint64_t device_bytes = 0;  ///< for as long as it is rendered, an upper bound
+};
+
+/// Memory that a scene may take; empty: not known.
+struct MemoryThere {
+  std::optional<std::uint64_t> host_bytes;
+  std::optional<std::uint64_t> device_bytes;
+  bool shared = false;  ///< the device's is the host's, as of CPU devices
+};
+
+/// Of `scene`, by its counts alone: no triangle is looked at.
+MemoryNeed memory_need(const Scene& scene);
+
+/// On the host: what this process may still take without swapping, as the system calls it available, or less where a
+/// control group (a container) allows less.
+MemoryThere memory_there();
+/// The same, and on the device: its largest local heap, where its memory is its own.
+MemoryThere memory_there(const DeviceDescription& device);
+
+/// Throws Error(refused) for the scene file `source` where `need` is more than what is `there`, with both numbers.
+void check_memory(const std::string& source, const MemoryNeed& need, const MemoryThere& there);
+
+/// One line: bytes needed and bytes there.
+std::string memory_text(const MemoryNeed& need, const MemoryThere& there);
+
+}  // namespace vernier
