@@ -52,6 +52,7 @@ std::map<std::string, std::string*> option_places(RenderCommandArguments& argume
           {"filter", &render.filter},
           {"texture-filter", &render.texture_filter},
           {"bvh", &render.bvh},
+          {"traversal", &render.traversal},
           {"aov", &render.aov},
           {"seed", &render.seed}};
 }

@@ -74,6 +74,8 @@ nlohmann::ordered_json recipe_options(const SceneArguments& scene, const RenderA
   put(options, "filter", render.filter);
   put(options, "texture-filter", render.texture_filter);
   put(options, "bvh", render.bvh);  // no colour hangs on it, but the layer cost does
+  // No bit hangs on it, but its shaders have a hash of their own.
+  if (render.traversal != "auto") put(options, "traversal", render.traversal);
   put(options, "aov", render.aov);
   put(options, "seed", render.seed);
   return options;

@@ -46,25 +46,26 @@ std::vector<std::string> parse_aovs(const std::string& list) {
 }
 
 /// The one of `choices` whose name is `text`. Throws Error(usage) with `names`.
-template <typename Choice>
-Choice parse_choice(const char* option, const std::string& text, std::initializer_list<Choice> choices,
-                    const char* names) {
-  for (const Choice choice : choices) {
+template <typename Choices>
+auto parse_choice(const char* option, const std::string& text, const Choices& choices, const char* names) {
+  for (const auto choice : choices) {
     if (text == to_string(choice)) return choice;
   }
   throw Error(ErrorKind::usage, std::string(option) + ": `" + text + "` is not " + names);
 }
 
 void parse_choices(const RenderArguments& arguments, RenderSettings& settings) {
-  settings.accuracy = parse_choice("--accuracy", arguments.accuracy,
-                                   {Accuracy::fast, Accuracy::robust, Accuracy::exact}, "fast, robust or exact");
+  settings.accuracy =
+      parse_choice("--accuracy", arguments.accuracy, std::array{Accuracy::fast, Accuracy::robust, Accuracy::exact},
+                   "fast, robust or exact");
   settings.pixel_filter =
-      parse_choice("--filter", arguments.filter, {PixelFilter::box, PixelFilter::tent}, "box or tent");
-  settings.texture_filter =
-      parse_choice("--texture-filter", arguments.texture_filter,
-                   {TextureFilter::file, TextureFilter::nearest, TextureFilter::linear}, "file, nearest or linear");
-  settings.bvh = parse_choice("--bvh", arguments.bvh, {BuildMethod::fast, BuildMethod::standard, BuildMethod::quality},
-                              "fast, default or quality");
+      parse_choice("--filter", arguments.filter, std::array{PixelFilter::box, PixelFilter::tent}, "box or tent");
+  settings.texture_filter = parse_choice("--texture-filter", arguments.texture_filter,
+                                         std::array{TextureFilter::file, TextureFilter::nearest, TextureFilter::linear},
+                                         "file, nearest or linear");
+  settings.bvh = parse_choice("--bvh", arguments.bvh, kBuildMethods, "fast, default or quality");
+  settings.traversal = parse_choice("--traversal", arguments.traversal, kTraversalForms,
+                                    "auto, texels-shifted, texels-array, storage-shifted or storage-array");
 }
 
 void check_crop(const RenderSettings& settings) {
@@ -171,6 +172,11 @@ void add_dispatch_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--dispatch-ms", arguments.dispatch_ms,
                  "time budget of one submission, milliseconds, 1 to 60000 (default: 100)")
       ->type_name("N");
+  app.add_option("--traversal", arguments.traversal,
+                 "how rays read the scene and keep their stack: auto (texels-shifted on llvmpipe, else storage-array), "
+                 "texels-shifted, texels-array, storage-shifted or storage-array; never changes a bit of the image "
+                 "(default: auto)")
+      ->type_name("FORM");
 }
 
 void add_render_options(CLI::App& app, RenderArguments& arguments) {

@@ -23,6 +23,7 @@ struct RenderArguments {
   std::string filter = "box";
   std::string texture_filter = "file";
   std::string bvh = "default";
+  std::string traversal = "auto";
   std::string tile;
   std::string dispatch_ms = "100";
   std::string time_limit;
@@ -59,7 +60,7 @@ void add_aov_option(CLI::App& app, std::string& aov);
 /// Adds --bvh.
 void add_bvh_option(CLI::App& app, std::string& bvh);
 
-/// Adds --tile and --dispatch-ms, which change no bit.
+/// Adds --tile, --dispatch-ms and --traversal, which change no bit.
 void add_dispatch_options(CLI::App& app, RenderArguments& arguments);
 
 /// Adds all options of RenderArguments to `app`. `arguments` outlives the parse.

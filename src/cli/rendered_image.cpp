@@ -96,7 +96,8 @@ RenderedImage render_planned(const RenderPlan& plan) {
   print_warnings(setup.scene.warnings);
   const VulkanInstance instance;
   const DeviceDescription description = choose_device(list_devices(instance), plan.device);
-  const RecipeMaker maker{description.name, description.driver, trace_spirv_hash(choose_scene_loads(description))};
+  const RecipeMaker maker{description.name, description.driver,
+                          trace_spirv_hash(choose_scene_loads(description, plan.settings.traversal))};
   const Metadata recipe = render_recipe(plan.scene_arguments, setup.scene.files, plan.render_arguments, maker);
   if (resumed) match_recipes("this render", recipe, plan.resume, resumed->recipe, {});
   const MemoryNeed memory = memory_need(setup.scene);

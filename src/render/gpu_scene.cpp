@@ -17,10 +17,6 @@ Buffer uploaded(const Device& device, const Elements& elements, BufferUse use) {
 
 }  // namespace
 
-SceneLoads choose_scene_loads(const DeviceDescription& device) {
-  return device.is_llvmpipe ? SceneLoads::texels : SceneLoads::storage;
-}
-
 GpuScene::GpuScene(const Device& device, const PackedScene& packed, SceneLoads loads) {
   const bool texels = loads == SceneLoads::texels;
   const BufferUse wide = texels ? BufferUse::texels_rgba32ui : BufferUse::storage;

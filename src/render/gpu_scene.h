@@ -6,17 +6,9 @@
 #include "gpu/buffer.h"
 #include "gpu/compute_pipeline.h"
 #include "render/pack_scene.h"
+#include "render/traversal_form.h"
 
 namespace vernier {
-
-/// How shaders read the scene's arrays: two forms of one SPIR-V source (shaders/buffers.glsl).
-enum class SceneLoads {
-  texels,  ///< storage texel buffers: 4 times faster on llvmpipe, and not bound by maxStorageBufferRange
-  storage  ///< storage buffers: everywhere else
-};
-
-/// The form that suits `device`.
-SceneLoads choose_scene_loads(const DeviceDescription& device);
 
 /// The scene on the device. Owns its buffers.
 class GpuScene {

@@ -135,11 +135,11 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   needed.max_bounces = bounces;
   set_settings(packed, needed);
 
-  const SceneLoads loads = choose_scene_loads(device.description());
+  const SceneLoads loads = choose_scene_loads(device.description(), settings.traversal);
   GpuScene gpu_scene = upload_scene(device, packed, loads, statistics);
   gpu_scene.set_constants(device, packed.constants, packed.steering);
-  TraceSpecialization specialization =
-      specialize(statistics.effects.bits, packed.bvh.depth, bounces, wants(settings, "cost"), device.description());
+  TraceSpecialization specialization = specialize(statistics.effects.bits, packed.bvh.depth, bounces,
+                                                  wants(settings, "cost"), device.description(), settings.traversal);
   specialization.levels = settings.spot_levels.value_or(levels_of(settings.accuracy));
   specialization.mutation = settings.mutation;
   specialization.count_effects = settings.count_effects;

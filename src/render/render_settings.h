@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "bvh/build_method.h"
+#include "render/traversal_form.h"
 
 namespace vernier {
 
@@ -59,6 +60,7 @@ struct RenderSettings {
   glm::ivec2 tile = glm::ivec2(0);  ///< pixels; 0: chosen. Never changes a bit
   double dispatch_ms = 100.0;       ///< time budget of one submission
   BuildMethod bvh = BuildMethod::standard;
+  TraversalForm traversal = TraversalForm::automatic;  ///< never changes a bit
   std::optional<double> error_target;  ///< sqrt(relMSE) at which sampling stops; spp is then the most of a pixel
   double time_limit_s = std::numeric_limits<double>::infinity();
   std::uint32_t seed = 0;

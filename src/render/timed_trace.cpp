@@ -22,7 +22,7 @@ StagedScene::StagedScene(const Device& device, const Scene& scene, const Camera&
 StagedScene::StagedScene(const Device& device, PackedScene packed, const Camera& camera, const RenderSettings& settings)
     : device_(device),
       settings_(settings),
-      loads_(choose_scene_loads(device.description())),
+      loads_(choose_scene_loads(device.description(), settings.traversal)),
       packed_(std::move(packed)),
       gpu_scene_(device, packed_, loads_) {
   set_view(camera, settings);
@@ -30,7 +30,7 @@ StagedScene::StagedScene(const Device& device, PackedScene packed, const Camera&
 
 TraceSpecialization StagedScene::specialization(std::uint32_t effects) const {
   TraceSpecialization values =
-      specialize(effects, packed_.bvh.depth, settings_.max_bounces, false, device_.description());
+      specialize(effects, packed_.bvh.depth, settings_.max_bounces, false, device_.description(), settings_.traversal);
   values.levels = levels_of(settings_.accuracy);
   return values;
 }

@@ -54,11 +54,11 @@ std::uint32_t waiting_rays(std::uint32_t effects, std::uint32_t max_bounces) {
 }
 
 TraceSpecialization specialize(std::uint32_t effects, std::uint32_t bvh_depth, std::uint32_t max_bounces,
-                               bool count_cost, const DeviceDescription& device) {
+                               bool count_cost, const DeviceDescription& device, TraversalForm form) {
   TraceSpecialization values;
   values.effects = effects;
   values.traversal_stack = std::max(bvh_depth, 1u);
-  values.shift_stack = device.is_llvmpipe && bvh_depth <= SHIFT_STACK_MAX_SIZE;
+  values.shift_stack = shifts_stack(device, form) && bvh_depth <= SHIFT_STACK_MAX_SIZE;
   values.path_stack = waiting_rays(effects, max_bounces);
   values.count_cost = count_cost;
   return values;

@@ -31,9 +31,11 @@ std::uint32_t levels_of(Accuracy accuracy);
 /// Up to 64; beyond that they are dropped and counted.
 std::uint32_t waiting_rays(std::uint32_t effects, std::uint32_t max_bounces);
 
-/// The specialization for a scene of `bvh_depth` with `effects`, at most `max_bounces` deep, on `device`.
+/// The specialization for a scene of `bvh_depth` with `effects`, at most `max_bounces` deep, on `device`. A stack that
+/// is deeper than there are variables to shift is an array, whatever `form` says.
 TraceSpecialization specialize(std::uint32_t effects, std::uint32_t bvh_depth, std::uint32_t max_bounces,
-                               bool count_cost, const DeviceDescription& device);
+                               bool count_cost, const DeviceDescription& device,
+                               TraversalForm form = TraversalForm::automatic);
 
 /// Which kernel.
 enum class Kernel {

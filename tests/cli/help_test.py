@@ -8,7 +8,7 @@ RENDER_DEFAULTS = {
     "--size": "1280x720", "--crop": "the whole image", "--camera": "the first", "--eye": "the camera's",
     "--target": "the camera's", "--up": "the camera's", "--fov": "the camera's", "--view-height": "the camera's", "--light": "the file's",
     "--background": "a soft gradient", "--ambient": "that of the background", "--spp": "16", "--sample-range": "0:spp",
-    "--max-bounces": "8", "--cutoff": "1/1024", "--accuracy": "robust", "--filter": "box", "--texture-filter": "file", "--effects": "auto", "--tile": "chosen", "--bvh": "default",
+    "--max-bounces": "8", "--cutoff": "1/1024", "--accuracy": "robust", "--filter": "box", "--texture-filter": "file", "--effects": "auto", "--tile": "chosen", "--bvh": "default", "--traversal": "auto",
     "--dispatch-ms": "100", "--time-limit": "none", "--aov": "none", "--device": "the best", "--seed": "0",
     "--exposure": "0", "--strict": "off", "--json": "none", "--checkpoint": "none", "--resume": "none", "--quiet": "off", "--verbose": "off", "--output": "NAME.png",
 }

@@ -23,6 +23,7 @@ TEST(RenderOptions, DefaultsAreThoseOfRenderSettings) {
   EXPECT_EQ(parsed.effects, defaults.effects);
   EXPECT_EQ(parsed.tile, defaults.tile);
   EXPECT_EQ(parsed.bvh, defaults.bvh);
+  EXPECT_EQ(parsed.traversal, defaults.traversal);
   EXPECT_EQ(parsed.dispatch_ms, defaults.dispatch_ms);
   EXPECT_EQ(parsed.time_limit_s, defaults.time_limit_s);
   EXPECT_EQ(parsed.seed, defaults.seed);
@@ -40,6 +41,7 @@ TEST(RenderOptions, EveryTextArrives) {
   arguments.effects = "auto,-shadows";
   arguments.tile = "16x8";
   arguments.bvh = "fast";
+  arguments.traversal = "storage-shifted";
   arguments.dispatch_ms = "5.5";
   arguments.time_limit = "2.5";
   arguments.aov = "depth,cost";
@@ -58,6 +60,7 @@ TEST(RenderOptions, EveryTextArrives) {
   EXPECT_EQ(settings.effects, "auto,-shadows");
   EXPECT_EQ(settings.tile, glm::ivec2(16, 8));
   EXPECT_EQ(settings.bvh, BuildMethod::fast);
+  EXPECT_EQ(settings.traversal, TraversalForm::storage_shifted);
   EXPECT_EQ(settings.dispatch_ms, 5.5);
   EXPECT_EQ(settings.time_limit_s, 2.5);
   EXPECT_EQ(settings.aovs, (std::vector<std::string>{"depth", "cost"}));

@@ -53,6 +53,13 @@ class RenderTest(ProgramTest):
         self.assertEqual(self.bytes_of("a.exr"), self.bytes_of("b.exr"))
         self.assertEqual(self.bytes_of("a.png"), self.bytes_of("b.png", "--tile", "8x8"))
 
+    def test_no_form_of_traversal_changes_a_bit(self):
+        plain = self.bytes_of("auto.hdr")  # holds no metadata
+        for form in ["texels-shifted", "texels-array", "storage-shifted", "storage-array"]:
+            self.assertEqual(self.bytes_of(form + ".hdr", "--traversal", form), plain, form)
+        self.bytes_of("form.exr", "--traversal", "storage-array")
+        self.check_done("rerun", "form.exr")
+
     def test_seed_and_effects_change_the_picture(self):
         plain = self.bytes_of("a.hdr")  # holds no metadata
         self.assertNotEqual(plain, self.bytes_of("b.hdr", "--effects", "auto,-refraction"))

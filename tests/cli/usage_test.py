@@ -17,6 +17,7 @@ BAD_OPTIONS = {
     "--texture-filter": ["bilinear", ""],
     "--effects": ["shadow", "auto,", "auto,-fog", ","],
     "--bvh": ["slow", "Fast", ""],
+    "--traversal": ["array", "Auto", ""],
     "--tile": ["8", "0x8"],
     "--dispatch-ms": ["0", "-5", "inf", "x"],
     "--time-limit": ["0", "-1", "nan"],

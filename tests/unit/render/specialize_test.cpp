@@ -37,6 +37,19 @@ TEST(Specialize, llvmpipe_shifts_shallow_stacks) {
   EXPECT_FALSE(specialize(0, 60, 8, false, llvmpipe()).shift_stack);
 }
 
+TEST(Specialize, a_form_that_is_asked_for_is_taken) {
+  const auto shifts = [](TraversalForm form, std::uint32_t depth) {
+    return specialize(0, depth, 8, false, llvmpipe(), form).shift_stack;
+  };
+  EXPECT_FALSE(shifts(TraversalForm::texels_array, 10));
+  EXPECT_TRUE(shifts(TraversalForm::storage_shifted, 10));
+  EXPECT_FALSE(shifts(TraversalForm::storage_shifted, 60)) << "more than there are variables";
+  EXPECT_EQ(choose_scene_loads(llvmpipe()), SceneLoads::texels);
+  EXPECT_EQ(choose_scene_loads({}), SceneLoads::storage);
+  EXPECT_EQ(choose_scene_loads(llvmpipe(), TraversalForm::storage_array), SceneLoads::storage);
+  EXPECT_EQ(choose_scene_loads({}, TraversalForm::texels_shifted), SceneLoads::texels);
+}
+
 TEST(Specialize, effects_and_cost_pass_through) {
   const TraceSpecialization values = specialize(0x1234u, 3, 1, true, {});
   EXPECT_EQ(values.effects, 0x1234u);

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <string_view>
+
+#include "gpu/device.h"
+
+namespace vernier {
+
+/// How shaders read the scene's arrays: two forms of one SPIR-V source (shaders/buffers.glsl).
+enum class SceneLoads {
+  texels,  ///< storage texel buffers: 4 times faster on llvmpipe, and not bound by maxStorageBufferRange
+  storage  ///< storage buffers: everywhere else
+};
+
+/// How rays find what they hit: how records are read, and where the stack of a search lies. No bit hangs on it.
+enum class TraversalForm {
+  automatic,        ///< as suits the device
+  texels_shifted,   ///< texel loads; the stack in variables that all move with each push
+  texels_array,     ///< texel loads; an array with an index
+  storage_shifted,  ///< storage-buffer loads
+  storage_array
+};
+
+/// All of them.
+inline constexpr std::array kTraversalForms = {TraversalForm::automatic, TraversalForm::texels_shifted,
+                                               TraversalForm::texels_array, TraversalForm::storage_shifted,
+                                               TraversalForm::storage_array};
+
+/// The form's name on the command line.
+constexpr std::string_view to_string(TraversalForm form) {
+  constexpr std::array<std::string_view, 5> kNames = {"auto", "texels-shifted", "texels-array", "storage-shifted",
+                                                      "storage-array"};
+  return kNames[static_cast<std::size_t>(form)];
+}
+
+/// `form`, or what suits `device`: on llvmpipe texels-shifted, which measured best (src/README.md), elsewhere
+/// storage-array.
+constexpr TraversalForm resolve_form(const DeviceDescription& device, TraversalForm form) {
+  if (form != TraversalForm::automatic) return form;
+  return device.is_llvmpipe ? TraversalForm::texels_shifted : TraversalForm::storage_array;
+}
+
+/// How records are read on `device` by `form`.
+constexpr SceneLoads choose_scene_loads(const DeviceDescription& device,
+                                        TraversalForm form = TraversalForm::automatic) {
+  const TraversalForm resolved = resolve_form(device, form);
+  const bool texels = resolved == TraversalForm::texels_shifted || resolved == TraversalForm::texels_array;
+  return texels ? SceneLoads::texels : SceneLoads::storage;
+}
+
+/// Whether the stack lies in shifted variables on `device` by `form`.
+constexpr bool shifts_stack(const DeviceDescription& device, TraversalForm form) {
+  const TraversalForm resolved = resolve_form(device, form);
+  return resolved == TraversalForm::texels_shifted || resolved == TraversalForm::storage_shifted;
+}
+
+}  // namespace vernier
