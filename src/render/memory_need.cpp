@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <fstream>
 #include <limits>
+#include <unordered_set>
 
 #include "bvh/bvh.h"
 #include "error.h"
@@ -26,12 +27,10 @@ std::uint64_t most_records(std::uint64_t triangles) {
 }
 
 std::uint64_t texture_bytes(const Scene& scene) {
-  std::vector<const Texels*> counted;
+  std::unordered_set<const Texels*> counted;
   std::uint64_t bytes = 0;
   for (const Texture& texture : scene.textures) {
-    if (std::ranges::find(counted, texture.texels.get()) != counted.end()) continue;
-    counted.push_back(texture.texels.get());
-    bytes += 4 * texture.texels->words.size();
+    if (counted.insert(texture.texels.get()).second) bytes += 4 * texture.texels->words.size();
   }
   return bytes;
 }
@@ -47,9 +46,16 @@ std::optional<std::uint64_t> read_bytes(const std::string& path, const std::stri
   return value <= std::numeric_limits<std::uint64_t>::max() / unit ? value * unit : value;
 }
 
-std::string gigabytes(std::uint64_t bytes) {
-  const std::uint64_t tenths = (bytes + 99'999'999) / 100'000'000;
-  return std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " GB";
+std::string text_of_tenths(std::uint64_t gigabyte_tenths) {
+  return std::to_string(gigabyte_tenths / 10) + "." + std::to_string(gigabyte_tenths % 10) + " GB";
+}
+
+/// Rounded up what is needed, and down what is there: a refusal never names the same number twice.
+std::string needed_text(std::uint64_t bytes) {
+  return text_of_tenths((bytes + 99'999'999) / 100'000'000);
+}
+std::string there_text(std::uint64_t bytes) {
+  return text_of_tenths(bytes / 100'000'000);
 }
 
 /// What the host needs at the most.
@@ -61,7 +67,7 @@ void check(const std::string& source, const MemoryNeed& need, std::uint64_t need
            const char* whose) {
   if (!there || needed <= *there) return;
   throw Error(ErrorKind::refused, source + ": " + std::to_string(need.triangles) + " triangles need " +
-                                      gigabytes(needed) + " of the " + whose + "'s memory, " + gigabytes(*there) +
+                                      needed_text(needed) + " of the " + whose + "'s memory, " + there_text(*there) +
                                       " are there; simplify or split the model");
 }
 
@@ -107,10 +113,10 @@ void check_memory(const std::string& source, const MemoryNeed& need, const Memor
 
 std::string memory_text(const MemoryNeed& need, const MemoryThere& there) {
   const auto of = [](std::optional<std::uint64_t> bytes, const char* whose) {
-    return std::string(" of the ") + whose + "'s" + (bytes ? " " + gigabytes(*bytes) : "");
+    return std::string(" of the ") + whose + "'s" + (bytes ? " " + there_text(*bytes) : "");
   };
-  const std::string device = gigabytes(need.device_bytes);
-  return "memory: at most " + gigabytes(of_host(need, there)) + of(there.host_bytes, "host") +
+  const std::string device = needed_text(need.device_bytes);
+  return "memory: at most " + needed_text(of_host(need, there)) + of(there.host_bytes, "host") +
          (there.shared ? ", " + device + " of them for the device" : ", " + device + of(there.device_bytes, "device"));
 }
 

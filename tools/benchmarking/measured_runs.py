@@ -7,7 +7,7 @@ import re
 import resource
 import subprocess
 
-VERNIER, POVRAY, EMBREE = "Vernier", "POV-Ray", "Embree"
+VERNIER, POVRAY, EMBREE, MITSUBA = "Vernier", "POV-Ray", "Embree", "Mitsuba"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -24,11 +24,13 @@ class Job:
     program: str
     view: list
     embree_view: list
+    mitsuba: list = dataclasses.field(default_factory=list)  # interpreter and script; empty: Mitsuba does not run
 
 
 @dataclasses.dataclass(frozen=True)
 class Measurement:
-    """`rays` by kind, the seconds that tracing took, rays per second, and the CPU seconds of the work named in main."""
+    """`rays` by kind, the seconds that tracing took, rays per second, and the CPU seconds of the work named in main. Mitsuba counts
+    no rays but those of the camera."""
 
     rays: dict
     seconds: float
@@ -104,6 +106,13 @@ def run_embree(job: Job) -> Measurement:
     found = json.loads(text)
     rays = {"primary": found["primary"], "shadow": found["shadow"]}
     return Measurement(rays, sum(rays.values()) / found["rays_per_s"], found["rays_per_s"], found["cpu_s"], found)
+
+
+def run_mitsuba(job: Job) -> Measurement:
+    text, _ = run_program(MITSUBA, [*job.mitsuba, job.width, job.height, job.samples_per_side**2, job.bounces + 1, job.threads,
+                                    "mitsuba.png"], job.folder)
+    found = json.loads(text.strip().splitlines()[-1])
+    return Measurement({"camera": found["samples"]}, found["seconds"], found["samples"] / found["seconds"], found["cpu_s"], found)
 
 
 def compile_embree_rate(source: pathlib.Path, folder: pathlib.Path) -> None:

@@ -1,7 +1,9 @@
 """The study scene in the three programs' own files. Positions are rounded to the same digits in all of them."""
 
 import array
+import json
 import math
+import struct
 import pathlib
 
 from benchmarking import study_scene
@@ -110,3 +112,41 @@ def embree_view() -> list:
     """Camera and light as arguments of embree_rate."""
     right, up, forward = study_scene.camera_axes()
     return [f"{x:.9g}" for vector in (EYE, right, up, forward, LIGHT) for x in vector] + [f"{HALF_HEIGHT:g}"]
+
+
+def mitsuba_surface(surface: study_scene.Surface) -> dict:
+    """The nearest of Mitsuba's: a rough coat for the highlight, whose exponent n is a roughness of sqrt(2 / (n + 2))."""
+    if surface.ior > 0.0:
+        return {"type": "dielectric", "int_ior": surface.ior, "ext_ior": 1.0}
+    if surface.mirror > 0.0:
+        return {"type": "conductor", "material": "none", "specular_reflectance": {"type": "rgb", "value": [surface.mirror] * 3}}
+    color = {"type": "rgb", "value": list(surface.diffuse)}
+    if surface.specular > 0.0:
+        return {"type": "roughplastic", "diffuse_reflectance": color, "alpha": math.sqrt(2.0 / (surface.exponent + 2.0))}
+    return {"type": "diffuse", "reflectance": color}
+
+
+def write_ply(bodies: list, path: pathlib.Path) -> None:
+    """All of them as one mesh: float32 positions and normals, little-endian."""
+    vertices, faces, first = array.array("f"), bytearray(), 0
+    for body in bodies:
+        for position, normal in zip(body.positions, body.normals):
+            vertices.extend(round(x, DIGITS) for x in (*position, *normal))
+        for triangle in body.triangles:
+            faces += struct.pack("<B3I", 3, *(first + corner for corner in triangle))
+        first += len(body.positions)
+    properties = "".join(f"property float {name}\n" for name in ("x", "y", "z", "nx", "ny", "nz"))
+    header = (f"ply\nformat binary_little_endian 1.0\nelement vertex {first}\n{properties}"
+              f"element face {sum(len(body.triangles) for body in bodies)}\nproperty list uchar uint vertex_indices\nend_header\n")
+    path.write_bytes(header.encode("ascii") + vertices.tobytes() + bytes(faces))
+
+
+def write_mitsuba(bodies: list, folder: pathlib.Path) -> None:
+    """mitsuba.json for mitsuba_rate.py, and a mesh for each surface. No sky: there it would light what it surrounds."""
+    surfaces = {body.surface.name: body.surface for body in bodies}
+    for name in surfaces:
+        write_ply([body for body in bodies if body.surface.name == name], folder / f"{name}.ply")
+    (folder / "mitsuba.json").write_text(json.dumps(
+        {"camera": {"eye": EYE, "target": study_scene.TARGET, "fov": math.degrees(2.0 * math.atan(HALF_HEIGHT))},
+         "light": {"position": LIGHT, "candela": LIGHT_CANDELA},
+         "surfaces": {name: mitsuba_surface(surface) for name, surface in surfaces.items()}}), encoding="utf-8")
