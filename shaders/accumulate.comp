@@ -10,7 +10,7 @@
 layout(local_size_x = 8, local_size_y = 8) in;
 
 void main() {
-  keep_constants();
+  keep_dispatch_constants();
   if (LISTED_PIXELS) {
     accumulate_listed(gl_WorkGroupID.x * gl_WorkGroupSize.x * gl_WorkGroupSize.y + gl_LocalInvocationIndex);
     return;

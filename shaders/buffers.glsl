@@ -1,4 +1,5 @@
-// Sole owner of bindings. The scene's arrays come as storage texel buffers with LOADS_TEXELS, else as storage buffers.
+// Sole owner of bindings. With LOADS_TEXELS the scene's arrays, the film and the samples are read through storage texel
+// buffers, else through storage buffers.
 #ifndef VERNIER_BUFFERS_GLSL
 #define VERNIER_BUFFERS_GLSL
 
@@ -53,18 +54,21 @@ layout(set = 0, binding = BINDING_PIXELS, scalar) readonly buffer Pixels { uint 
 layout(set = 0, binding = BINDING_AOVS, scalar) buffer Aovs { uint aov_words[]; };
 layout(set = 0, binding = BINDING_DISPLAY, scalar) buffer Display { uint display_words[]; };
 
-// llvmpipe reads a word of a buffer lane by lane every time: there an invocation keeps copies from its start on.
+// llvmpipe reads a word of a buffer lane by lane where lanes may be off, 20 cycles each: there an invocation keeps copies from
+// its start on, when all lanes are on.
 #ifdef LOADS_TEXELS
 RenderConstants own_render;
 DispatchConstants own_dispatch;
 // To be called first.
+void keep_dispatch_constants() { own_dispatch = dispatch; }
 void keep_constants() {
   own_render = render;
-  own_dispatch = dispatch;
+  keep_dispatch_constants();
 }
 RenderConstants render_constants() { return own_render; }
 DispatchConstants dispatch_constants() { return own_dispatch; }
 #else
+void keep_dispatch_constants() {}
 void keep_constants() {}
 RenderConstants render_constants() { return render; }
 DispatchConstants dispatch_constants() { return dispatch; }
@@ -72,11 +76,20 @@ DispatchConstants dispatch_constants() { return dispatch; }
 SteeringConstants steering_constants() { return dispatch_constants().steering; }
 bool scene_has_triangles() { return steering_constants().triangle_count > 0u; }
 
+// For the same reason the accumulate kernel reads film and samples as texels: four words of all lanes at a time. A path is
+// written and read by one kernel, where nothing but a barrier would make both views agree, and that llvmpipe gets wrong.
+#ifdef LOADS_TEXELS
+layout(set = 0, binding = BINDING_FILM_TEXELS, rgba32ui) uniform readonly uimageBuffer film_texels;
+layout(set = 0, binding = BINDING_SAMPLE_TEXELS, rgba32ui) uniform readonly uimageBuffer sample_texels;
+uvec4 load_film(uint i) { return imageLoad(film_texels, int(i)); }
+uvec4 load_sample(uint i) { return imageLoad(sample_texels, int(i)); }
+#else
 uvec4 load_film(uint i) { return film_blocks[i]; }
+uvec4 load_sample(uint i) { return sample_blocks[i]; }
+#endif
 void store_film(uint i, uvec4 block) { film_blocks[i] = block; }
 uvec4 load_path(uint i) { return path_blocks[i]; }
 void store_path(uint i, uvec4 block) { path_blocks[i] = block; }
-uvec4 load_sample(uint i) { return sample_blocks[i]; }
 void store_sample(uint i, uvec4 block) { sample_blocks[i] = block; }
 void store_aov(uint i, uint word) { aov_words[i] = word; }
 uint load_aov(uint i) { return aov_words[i]; }

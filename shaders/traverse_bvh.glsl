@@ -74,15 +74,18 @@ Found traverse_bvh(IN(Search) search) {
   Found found = Found(no_hit(search.t_max), false, true, 0u, 0u);
   Cursor cursor = Cursor(0u, 0u, 0u, scene_has_triangles() && is_valid_ray(search.ray));
   for (uint steps = 0u; cursor.running && steps < LOOP_ROUND_LIMIT; steps++) {
-    uvec4 a = load_record(3u * cursor.record);
-    uvec4 b = load_record(3u * cursor.record + 1u);
-    uvec4 c = load_record(3u * cursor.record + 2u);
+    uint record = cursor.record;
+    uvec4 a = load_record(3u * record);
+    uvec4 b = load_record(3u * record + 1u);
+    uvec4 c = load_record(3u * record + 2u);
     bool is_triangle = (a.w & BVH_TRIANGLE) != 0u;
     ivec4 entries = intersect_children(slab, a, b, c, search.t_min, found.hit.t);
+    // The next record is chosen before the triangle is tested: a CPU that looks ahead then asks for it meanwhile.
+    advance(cursor, !is_triangle, entries, c.z);
     // Both kinds are worked out for every record: lanes in lockstep pay for both anyway, and selects are cheaper than a
     // branch. A record that is no triangle can hit nothing beyond the largest float.
     bool accepted = intersect_triangle(sheared, uintBitsToFloat(uvec3(a.x, a.y, a.z)), uintBitsToFloat(uvec3(b.x, b.y, b.z)),
-                                       uintBitsToFloat(uvec3(c.x, c.y, c.z)), c.w, cursor.record,
+                                       uintBitsToFloat(uvec3(c.x, c.y, c.z)), c.w, record,
                                        is_triangle ? search.t_min : LARGEST_FLOAT, search.after_triangle, found.hit);
     bool opaque = (a.w & BVH_TRIANGLE_NOT_OPAQUE) == 0u;
     found.is_opaque = accepted ? opaque : found.is_opaque;
@@ -90,7 +93,6 @@ Found traverse_bvh(IN(Search) search) {
       found.nodes += is_triangle ? 0u : 1u;
       found.triangles += is_triangle ? 1u : 0u;
     }
-    advance(cursor, !is_triangle, entries, c.z);
     cursor.running = cursor.running && !(search.stop_at_opaque && accepted && opaque);
   }
   found.finished = !cursor.running;

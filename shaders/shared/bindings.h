@@ -19,5 +19,7 @@
 #define BINDING_SAMPLES 14     // uvec4, SAMPLE_BLOCKS per job
 #define BINDING_PIXELS 15      // uint per listed pixel: y << 16 | x within the tile
 #define BINDING_DISPLAY 16     // uint per pixel of a window's picture: R8G8B8A8
+#define BINDING_FILM_TEXELS 17    // the memory of BINDING_FILM, read as uvec4 texels (buffers.glsl, LOADS_TEXELS)
+#define BINDING_SAMPLE_TEXELS 18  // the memory of BINDING_SAMPLES, likewise
 
 #endif

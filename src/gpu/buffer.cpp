@@ -33,6 +33,8 @@ UseTraits traits_of(BufferUse use) {
       return {"texel buffer", Usage::eStorageTexelBuffer, vk::Format::eR32G32B32A32Uint, 16};
     case BufferUse::texels_r32ui:
       return {"texel buffer", Usage::eStorageTexelBuffer, vk::Format::eR32Uint, 4};
+    case BufferUse::storage_and_texels:
+      return {"storage buffer", Usage::eStorageBuffer | Usage::eStorageTexelBuffer, vk::Format::eR32G32B32A32Uint, 16};
     case BufferUse::storage:
     case BufferUse::storage_host_visible:
       break;
@@ -52,14 +54,16 @@ void check_limits(const Device& device, const UseTraits& traits, BufferUse use, 
   };
   if (use == BufferUse::uniform) {
     bound(device.physical().getProperties().limits.maxUniformBufferRange, "the device allows");
-  } else if (traits.texel_bytes != 0) {
+  }
+  if (traits.texel_bytes != 0) {
     const std::uint64_t texels = bytes / traits.texel_bytes;
     if (texels > limits.max_texel_buffer_elements) {
       refuse(device, traits, bytes,
              "its " + std::to_string(texels) + " texels are more than the " +
                  std::to_string(limits.max_texel_buffer_elements) + " the device allows");
     }
-  } else {
+  }
+  if (traits.usage & vk::BufferUsageFlagBits::eStorageBuffer) {
     bound(limits.max_storage_buffer_range_bytes, "the device allows");
   }
   bound(limits.max_allocation_bytes, "the device allocates at most");

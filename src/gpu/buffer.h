@@ -12,6 +12,7 @@ namespace vernier {
 /// How shaders see a buffer, and where it lies.
 enum class BufferUse {
   storage,              ///< read and written as a storage buffer, on the device
+  storage_and_texels,   ///< the same, and read as a storage texel buffer of uvec4
   uniform,              ///< a uniform buffer, on the device
   texels_rgba32ui,      ///< read as a storage texel buffer of uvec4, on the device
   texels_r32ui,         ///< read as a storage texel buffer of uint, on the device
@@ -29,7 +30,7 @@ class Buffer {
   std::uint64_t size_bytes() const { return size_bytes_; }
   BufferUse use() const { return use_; }
   const vk::raii::Buffer& vk() const { return buffer_; }
-  /// The texel view; only of the texel uses.
+  /// The texel view; only of uses with texels.
   const vk::raii::BufferView& view() const { return view_; }
   /// The mapped bytes; only of storage_host_visible (else empty), valid between submissions.
   std::span<std::byte> mapped() const {

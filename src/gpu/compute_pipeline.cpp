@@ -5,13 +5,16 @@
 namespace vernier {
 namespace {
 
-vk::DescriptorType descriptor_type(BufferUse use) {
-  switch (use) {
+vk::DescriptorType descriptor_type(const Binding& binding) {
+  switch (binding.buffer->use()) {
     case BufferUse::uniform:
       return vk::DescriptorType::eUniformBuffer;
     case BufferUse::texels_rgba32ui:
     case BufferUse::texels_r32ui:
       return vk::DescriptorType::eStorageTexelBuffer;
+    case BufferUse::storage_and_texels:
+      if (binding.as_texels) return vk::DescriptorType::eStorageTexelBuffer;
+      break;
     case BufferUse::storage:
     case BufferUse::storage_host_visible:
       break;
@@ -22,7 +25,7 @@ vk::DescriptorType descriptor_type(BufferUse use) {
 vk::raii::DescriptorSetLayout create_set_layout(const Device& device, std::span<const Binding> bindings) {
   std::vector<vk::DescriptorSetLayoutBinding> slots;
   for (const Binding& binding : bindings) {
-    slots.emplace_back(binding.binding, descriptor_type(binding.buffer->use()), 1, vk::ShaderStageFlagBits::eCompute);
+    slots.emplace_back(binding.binding, descriptor_type(binding), 1, vk::ShaderStageFlagBits::eCompute);
   }
   return device.vk().createDescriptorSetLayout(vk::DescriptorSetLayoutCreateInfo({}, slots));
 }
@@ -65,7 +68,7 @@ ComputePipeline::ComputePipeline(const Device& device, std::span<const std::uint
 BindingSet::BindingSet(const Device& device, const ComputePipeline& pipeline, std::span<const Binding> bindings) {
   if (bindings.empty()) return;
   std::vector<vk::DescriptorPoolSize> sizes;
-  for (const Binding& binding : bindings) sizes.emplace_back(descriptor_type(binding.buffer->use()), 1);
+  for (const Binding& binding : bindings) sizes.emplace_back(descriptor_type(binding), 1);
   vk_check("binding buffers", [&] {
     pool_ = device.vk().createDescriptorPool(vk::DescriptorPoolCreateInfo({}, 1, sizes));
     const vk::DescriptorSetLayout layout = *pipeline.set_layout();
@@ -74,7 +77,7 @@ BindingSet::BindingSet(const Device& device, const ComputePipeline& pipeline, st
     for (const Binding& binding : bindings) {
       const vk::DescriptorBufferInfo whole(*binding.buffer->vk(), 0, VK_WHOLE_SIZE);
       const vk::BufferView view = *binding.buffer->view();
-      vk::WriteDescriptorSet write(set_, binding.binding, 0, 1, descriptor_type(binding.buffer->use()));
+      vk::WriteDescriptorSet write(set_, binding.binding, 0, 1, descriptor_type(binding));
       write.pBufferInfo = &whole;
       write.pTexelBufferView = &view;
       device.vk().updateDescriptorSets(write, nullptr);

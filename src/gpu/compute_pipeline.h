@@ -15,6 +15,7 @@ namespace vernier {
 struct Binding {
   std::uint32_t binding = 0;
   const Buffer* buffer = nullptr;
+  bool as_texels = false;  ///< of a buffer with both uses: its texel view is bound
 };
 
 /// Value of a specialization constant; floats and bools travel as their bits.

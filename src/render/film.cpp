@@ -35,7 +35,7 @@ Film::Film(const Device& device, const PixelRect& area, bool with_aovs)
   for (int row = 0; row < area.height; row += band_height_) {
     Band band{.first_row = row, .row_count = std::min(band_height_, area.height - row), .sums = {}, .aovs = {}};
     const std::uint64_t pixels = static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(band.row_count);
-    band.sums = Buffer(device, pixels * FILM_WORDS * 4, BufferUse::storage);
+    band.sums = Buffer(device, pixels * FILM_WORDS * 4, stored_use(film_loads(device.description())));
     band.aovs = Buffer(device, with_aovs ? pixels * AOV_WORDS * 4 : 0, BufferUse::storage);
     bands_.push_back(std::move(band));
   }

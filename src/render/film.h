@@ -9,8 +9,14 @@
 #include "image/image.h"
 #include "render/render_settings.h"
 #include "render/render_statistics.h"
+#include "render/traversal_form.h"
 
 namespace vernier {
+
+/// How the kernel that adds to a film reads back its sums on `device`, whatever form rays take through the scene.
+constexpr SceneLoads film_loads(const DeviceDescription& device) {
+  return choose_scene_loads(device);
+}
 
 /// The accumulator on the device: sums of every pixel of `area`, in bands of whole rows that keep every buffer within
 /// the device's limits. shared/film_layout.h. Owns its buffers.

@@ -76,7 +76,7 @@ TileTracer::TileTracer(const Device& device, const GpuScene& scene, SceneLoads l
       counters_(device, (specialization.count_effects ? COUNTER_COUNT_WITH_RUNS : COUNTER_COUNT) * 4,
                 BufferUse::storage_host_visible),
       paths_(device, path_bytes(invocations_, specialization.path_stack), BufferUse::storage),
-      samples_(device, pass_bytes(settings, tile_, sample_bytes_), BufferUse::storage),
+      samples_(device, pass_bytes(settings, tile_, sample_bytes_), stored_use(film_loads(device.description()))),
       pixels_(device, specialization.listed_pixels ? std::uint64_t{4} * tile_.x * tile_.y : 0,
               BufferUse::storage_host_visible),
       unused_(device, 0, BufferUse::storage),
@@ -92,22 +92,32 @@ TileTracer::TileTracer(const Device& device, const GpuScene& scene, SceneLoads l
                                    {BINDING_PIXELS, &pixels_}});
   trace_ = make_trace_pipeline(device, Kernel::trace, loads, specialization, bindings);
   trace_bindings_ = BindingSet(device, trace_, bindings);
-  for (Film::Band& band : film.bands()) {
-    const std::vector<Binding> own = {{BINDING_FILM, &band.sums},
-                                      {BINDING_COUNTERS, &counters_},
-                                      {BINDING_DISPATCH, &dispatch_},
-                                      {BINDING_SAMPLES, &samples_},
-                                      {BINDING_PIXELS, &pixels_}};
-    if (accumulate_bindings_.empty()) {
-      accumulate_ = make_trace_pipeline(device, Kernel::accumulate, loads, specialization, own);
-    }
-    accumulate_bindings_.emplace_back(device, accumulate_, own);
-  }
+  bind_accumulate(device, specialization);
   statistics_.pipelines = {
       {"trace", trace_.compile_ms()}, {"accumulate", accumulate_.compile_ms()}, {"first dispatch", warm_up()}};
   statistics_.device_bytes =
       counters_.size_bytes() + paths_.size_bytes() + samples_.size_bytes() + pixels_.size_bytes();
   note_saved(settings);
+}
+
+/// Compiles the accumulate kernel and binds it to each band of the film.
+void TileTracer::bind_accumulate(const Device& device, const TraceSpecialization& specialization) {
+  const SceneLoads loads = film_loads(device.description());
+  for (Film::Band& band : film_.bands()) {
+    std::vector<Binding> bindings = {{BINDING_FILM, &band.sums},
+                                     {BINDING_COUNTERS, &counters_},
+                                     {BINDING_DISPATCH, &dispatch_},
+                                     {BINDING_SAMPLES, &samples_},
+                                     {BINDING_PIXELS, &pixels_}};
+    if (loads == SceneLoads::texels) {
+      bindings.insert(bindings.end(),
+                      {{BINDING_FILM_TEXELS, &band.sums, true}, {BINDING_SAMPLE_TEXELS, &samples_, true}});
+    }
+    if (accumulate_bindings_.empty()) {
+      accumulate_ = make_trace_pipeline(device, Kernel::accumulate, loads, specialization, bindings);
+    }
+    accumulate_bindings_.emplace_back(device, accumulate_, bindings);
+  }
 }
 
 bool TileTracer::run_tile(const PixelRect& tile, const SamplePass& pass, const std::function<bool()>& stop) {

@@ -50,6 +50,7 @@ class TileTracer {
                 const std::function<bool()>& stop);
   DispatchConstants pass_constants(const PixelRect& tile, const SamplePass& pass);
   const BindingSet& accumulate_bindings(const PixelRect& tile) const;
+  void bind_accumulate(const Device& device, const TraceSpecialization& specialization);
   void note_saved(const RenderSettings& settings);
   double warm_up();
   void trace(std::uint32_t invocations, const Dispatch& accumulate, const DispatchConstants& constants,

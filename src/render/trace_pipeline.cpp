@@ -5,7 +5,8 @@
 
 #include "shared/effects.h"
 #include "shared/specialization_ids.h"
-#include "spirv/accumulate.h"
+#include "spirv/accumulate_storage.h"
+#include "spirv/accumulate_texels.h"
 #include "spirv/primary_storage.h"
 #include "spirv/primary_texels.h"
 #include "spirv/trace_storage.h"
@@ -27,7 +28,7 @@ std::span<const std::uint32_t> spirv_of(Kernel kernel, SceneLoads loads) {
     case Kernel::accumulate:
       break;
   }
-  return kAccumulateSpirv;
+  return texels ? kAccumulateTexelsSpirv : kAccumulateStorageSpirv;
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "gpu/buffer.h"
 #include "gpu/device.h"
 
 namespace vernier {
@@ -47,6 +48,11 @@ constexpr SceneLoads choose_scene_loads(const DeviceDescription& device,
   const TraversalForm resolved = resolve_form(device, form);
   const bool texels = resolved == TraversalForm::texels_shifted || resolved == TraversalForm::texels_array;
   return texels ? SceneLoads::texels : SceneLoads::storage;
+}
+
+/// The use of a buffer that kernels store to and read back by `loads`.
+constexpr BufferUse stored_use(SceneLoads loads) {
+  return loads == SceneLoads::texels ? BufferUse::storage_and_texels : BufferUse::storage;
 }
 
 /// Whether the stack lies in shifted variables on `device` by `form`.
