@@ -7,13 +7,14 @@
 #include "ray_words.glsl"
 
 layout(local_size_x = RATED_GROUP) in;
+layout(constant_id = RATED_ANY_HIT) const bool ANY_HIT = false;
 layout(set = 0, binding = BINDING_RATED_SCENE) uniform accelerationStructureEXT scene;
 
 void main() {
   uint i = gl_GlobalInvocationID.x;
   uvec4 start = load_ray(2u * i);
   uvec4 way = load_ray(2u * i + 1u);
-  uint flags = gl_RayFlagsOpaqueEXT | (start.w != 0u ? gl_RayFlagsTerminateOnFirstHitEXT : 0u);
+  const uint flags = gl_RayFlagsOpaqueEXT | (ANY_HIT ? gl_RayFlagsTerminateOnFirstHitEXT : 0u);
   rayQueryEXT query;
   rayQueryInitializeEXT(query, scene, flags, 0xffu, uintBitsToFloat(start.xyz), 0.0, uintBitsToFloat(way.xyz), uintBitsToFloat(way.w));
   bool finished = !rayQueryProceedEXT(query);  // of opaque triangles alone nothing is left to be decided

@@ -27,7 +27,9 @@ RayQueryTracer::RayQueryTracer(const Device& device, const RawMesh& mesh, const 
   for (const std::vector<RatedRay>& kind : rays) {
     rays_.push_back(device_.make_filled(std::as_bytes(std::span(kind)), usage));
   }
-  make_pipeline();
+  make_layouts();
+  closest_ = make_pipeline(false);
+  any_ = make_pipeline(true);
   for (std::size_t kind = 0; kind < rays_.size(); ++kind) bind(kind);
 }
 
@@ -79,7 +81,7 @@ void RayQueryTracer::build_top() {
   top_ = build(vk::AccelerationStructureTypeKHR::eTopLevel, geometry, 1);
 }
 
-void RayQueryTracer::make_pipeline() {
+void RayQueryTracer::make_layouts() {
   const auto stage = vk::ShaderStageFlagBits::eCompute;
   const std::array slots = {
       vk::DescriptorSetLayoutBinding(BINDING_RATED_RAYS, ray_descriptor(texels_), 1, stage),
@@ -87,15 +89,21 @@ void RayQueryTracer::make_pipeline() {
       vk::DescriptorSetLayoutBinding(BINDING_RATED_SCENE, vk::DescriptorType::eAccelerationStructureKHR, 1, stage)};
   set_layout_ = device_.vk().createDescriptorSetLayout(vk::DescriptorSetLayoutCreateInfo({}, slots));
   layout_ = device_.vk().createPipelineLayout(vk::PipelineLayoutCreateInfo({}, *set_layout_));
-  const std::span<const std::uint32_t> spirv = texels_ ? kRayQueriesTexelsSpirv : kRayQueriesStorageSpirv;
-  const vk::raii::ShaderModule module =
-      device_.vk().createShaderModule(vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
-  const vk::PipelineShaderStageCreateInfo entry({}, stage, *module, "main");
-  pipeline_ = device_.vk().createComputePipeline(nullptr, vk::ComputePipelineCreateInfo({}, entry, *layout_));
   const auto sets = static_cast<std::uint32_t>(rays_.size());
   const std::array sizes = {vk::DescriptorPoolSize(ray_descriptor(texels_), 2 * sets),
                             vk::DescriptorPoolSize(vk::DescriptorType::eAccelerationStructureKHR, sets)};
   pool_ = device_.vk().createDescriptorPool(vk::DescriptorPoolCreateInfo({}, sets, sizes));
+}
+
+vk::raii::Pipeline RayQueryTracer::make_pipeline(bool any_hit) const {
+  const std::span<const std::uint32_t> spirv = texels_ ? kRayQueriesTexelsSpirv : kRayQueriesStorageSpirv;
+  const vk::raii::ShaderModule module =
+      device_.vk().createShaderModule(vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
+  const vk::SpecializationMapEntry entry(RATED_ANY_HIT, 0, sizeof(vk::Bool32));
+  const vk::Bool32 value = any_hit ? VK_TRUE : VK_FALSE;
+  const vk::SpecializationInfo special(1, &entry, sizeof value, &value);
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main", &special);
+  return device_.vk().createComputePipeline(nullptr, vk::ComputePipelineCreateInfo({}, stage, *layout_));
 }
 
 void RayQueryTracer::bind(std::size_t kind) {
@@ -122,7 +130,7 @@ void RayQueryTracer::bind(std::size_t kind) {
 PassTime RayQueryTracer::trace(RayKind kind) {
   const std::clock_t cpu_start = std::clock();
   const double seconds = device_.run([&](const vk::raii::CommandBuffer& commands) {
-    commands.bindPipeline(vk::PipelineBindPoint::eCompute, *pipeline_);
+    commands.bindPipeline(vk::PipelineBindPoint::eCompute, *(kind == kShadow ? any_ : closest_));
     commands.bindDescriptorSets(vk::PipelineBindPoint::eCompute, *layout_, 0, sets_[kind], nullptr);
     commands.dispatch(kRayCount / RATED_GROUP, 1, 1);
   });

@@ -26,7 +26,8 @@ class RayQueryTracer {
                   std::uint32_t count) const;
   void build_bottom(const RawMesh& mesh);
   void build_top();
-  void make_pipeline();
+  void make_layouts();
+  vk::raii::Pipeline make_pipeline(bool any_hit) const;
   void bind(std::size_t kind);
 
   bool texels_;
@@ -36,7 +37,7 @@ class RayQueryTracer {
   std::vector<AddressedBuffer> rays_;
   vk::raii::DescriptorSetLayout set_layout_{nullptr};
   vk::raii::PipelineLayout layout_{nullptr};
-  vk::raii::Pipeline pipeline_{nullptr};
+  vk::raii::Pipeline closest_{nullptr}, any_{nullptr};
   vk::raii::DescriptorPool pool_{nullptr};
   std::vector<vk::DescriptorSet> sets_;  // freed with their pool
 };

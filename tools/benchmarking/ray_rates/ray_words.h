@@ -12,6 +12,9 @@
 #define BINDING_RATED_ANSWERS 21
 #define BINDING_RATED_SCENE 22  // the driver's acceleration structure
 
+// Specialization constant of ray_queries.comp: what a ray asks is then known when the driver compiles.
+#define RATED_ANY_HIT 0
+
 #define RATED_GROUP 64             // rays of a workgroup
 #define RATED_NOTHING 0xffffffffu  // in place of a triangle: a miss
 
