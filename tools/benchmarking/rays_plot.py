@@ -32,18 +32,24 @@ def draw_ratios(runs: list):
     drawing.set_style()
     scenes = list(dict.fromkeys(run["scene"] for run in runs))
     peers = [peer for peer in TITLES if any(peer in run["ratios"] for run in runs)]
-    figure, grid = pyplot.subplots(len(scenes), len(peers), figsize=(3.8 * len(peers), 1.5 * len(scenes)), layout="constrained",
+    figure, grid = pyplot.subplots(len(scenes), len(peers), figsize=(3.8 * len(peers), 1.65 * len(scenes)), layout="constrained",
                                    squeeze=False, sharex="col")
     for row, scene in zip(grid, scenes):
         for axes, peer in zip(row, peers):
+            run = run_beside(runs, scene, peer)
+            if run is None:
+                axes.set_axis_off()
+                continue
             axes.set_title(f"{scene}, {TITLES[peer]}", loc="left", fontsize=9, color=drawing.INK)
             axes.grid(True, axis="x", color=drawing.INK, alpha=0.14, linewidth=0.6)
             for side in ("top", "right", "left"):
                 axes.spines[side].set_visible(False)
             axes.tick_params(axis="y", length=0)
-            if run := run_beside(runs, scene, peer):
-                draw_kinds(axes, run, peer)
-            axes.set_xlim(left=0.0)
+            axes.tick_params(axis="x", labelbottom=True)
+            draw_kinds(axes, run, peer)
+    # Last: a limit that is set ends the widening of the axis that a column shares.
+    for axes in grid[0]:
+        axes.set_xlim(left=0.0)
     return figure
 
 
