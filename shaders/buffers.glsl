@@ -61,6 +61,7 @@ RenderConstants own_render;
 DispatchConstants own_dispatch;
 // To be called first.
 void keep_dispatch_constants() { own_dispatch = dispatch; }
+// The same, with those of the render.
 void keep_constants() {
   own_render = render;
   keep_dispatch_constants();
