@@ -18,7 +18,8 @@ layout(set = 0, binding = BINDING_MATERIALS, rgba32ui) uniform readonly uimageBu
 layout(set = 0, binding = BINDING_LIGHTS, rgba32ui) uniform readonly uimageBuffer light_texels;
 layout(set = 0, binding = BINDING_TEXTURES, rgba32ui) uniform readonly uimageBuffer texture_texels;
 layout(set = 0, binding = BINDING_TEXELS, r32ui) uniform readonly uimageBuffer texel_words;
-layout(set = 0, binding = BINDING_TRIANGLE_IDS, r32ui) uniform readonly uimageBuffer triangle_id_words;
+layout(set = 0, binding = BINDING_FIRST_TRIANGLES, r32ui) uniform readonly uimageBuffer first_triangle_words;
+layout(set = 0, binding = BINDING_INSTANCES, rgba32ui) uniform readonly uimageBuffer instance_texels;
 uvec4 load_record(uint i) { return imageLoad(record_texels, int(i)); }
 uvec4 load_triangle(uint i) { return imageLoad(triangle_texels, int(i)); }
 uvec4 load_vertex(uint i) { return imageLoad(vertex_texels, int(i)); }
@@ -26,7 +27,8 @@ uvec4 load_material(uint i) { return imageLoad(material_texels, int(i)); }
 uvec4 load_light(uint i) { return imageLoad(light_texels, int(i)); }
 uvec4 load_texture(uint i) { return imageLoad(texture_texels, int(i)); }
 uint load_texel(uint i) { return imageLoad(texel_words, int(i)).x; }
-uint load_triangle_id(uint i) { return imageLoad(triangle_id_words, int(i)).x; }
+uint load_first_triangle(uint i) { return imageLoad(first_triangle_words, int(i)).x; }
+uvec4 load_instance(uint i) { return imageLoad(instance_texels, int(i)); }
 #else
 layout(set = 0, binding = BINDING_RECORDS, scalar) readonly buffer Records { uvec4 record_texels[]; };
 layout(set = 0, binding = BINDING_TRIANGLES, scalar) readonly buffer Triangles { uvec4 triangle_texels[]; };
@@ -35,7 +37,8 @@ layout(set = 0, binding = BINDING_MATERIALS, scalar) readonly buffer Materials {
 layout(set = 0, binding = BINDING_LIGHTS, scalar) readonly buffer Lights { uvec4 light_texels[]; };
 layout(set = 0, binding = BINDING_TEXTURES, scalar) readonly buffer Textures { uvec4 texture_texels[]; };
 layout(set = 0, binding = BINDING_TEXELS, scalar) readonly buffer Texels { uint texel_words[]; };
-layout(set = 0, binding = BINDING_TRIANGLE_IDS, scalar) readonly buffer TriangleIds { uint triangle_id_words[]; };
+layout(set = 0, binding = BINDING_FIRST_TRIANGLES, scalar) readonly buffer FirstTriangles { uint first_triangle_words[]; };
+layout(set = 0, binding = BINDING_INSTANCES, scalar) readonly buffer Instances { uvec4 instance_texels[]; };
 uvec4 load_record(uint i) { return record_texels[i]; }
 uvec4 load_triangle(uint i) { return triangle_texels[i]; }
 uvec4 load_vertex(uint i) { return vertex_texels[i]; }
@@ -43,7 +46,8 @@ uvec4 load_material(uint i) { return material_texels[i]; }
 uvec4 load_light(uint i) { return light_texels[i]; }
 uvec4 load_texture(uint i) { return texture_texels[i]; }
 uint load_texel(uint i) { return texel_words[i]; }
-uint load_triangle_id(uint i) { return triangle_id_words[i]; }
+uint load_first_triangle(uint i) { return first_triangle_words[i]; }
+uvec4 load_instance(uint i) { return instance_texels[i]; }
 #endif
 
 layout(set = 0, binding = BINDING_FILM, scalar) buffer Film { uvec4 film_blocks[]; };

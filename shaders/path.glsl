@@ -124,7 +124,7 @@ void save_path(IN(uint) place, IN(Path) path) {
   store_path(place, uvec4(path.job, path.hit ? 1u : 0u, path.waiting, path.phase));
   store_path(place + 1u, block_of(path.radiance, path.cost.rays));
   store_path(place + 2u, uvec4(visit.hit.triangle, visit.hit.record, path.cost.nodes, path.cost.triangles));
-  store_path(place + 3u, uvec4(floatBitsToUint(visit.hit.t), visit.next_light, 0u, 0u));
+  store_path(place + 3u, uvec4(floatBitsToUint(visit.hit.t), visit.next_light, visit.hit.instance, 0u));
   store_path(place + 4u, block_of(visit.ray.origin, floatBitsToUint(visit.t_min)));
   store_path(place + 5u, block_of(visit.ray.direction, floatBitsToUint(visit.t_max)));
   store_path(place + 6u, block_of(visit.value, visit.after_triangle));
@@ -141,7 +141,8 @@ Path restored_path(IN(uint) place) {
   uvec4 origin = load_path(place + 4u);
   uvec4 direction = load_path(place + 5u);
   uvec4 value = load_path(place + 6u);
-  LightVisit visit = LightVisit(Hit(uintBitsToFloat(visited.x), ids.x, ids.y), visited.y,
+  uint instance = INSTANCED ? visited.z : INSTANCE_WORLD;
+  LightVisit visit = LightVisit(Hit(uintBitsToFloat(visited.x), ids.x, ids.y, instance), visited.y,
                                 Ray(vector_of(origin), vector_of(direction)), uintBitsToFloat(origin.w), value.w, uintBitsToFloat(direction.w), vector_of(value),
                                 vector_of(load_path(place + 7u)));
   return Path(state.x, state.y != 0u, vector_of(sum), state.z, state.w, SampleCost(sum.w, ids.z, ids.w),

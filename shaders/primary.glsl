@@ -35,6 +35,19 @@ Hit first_visible_hit(IN(Ray) ray) {
   return hit;
 }
 
+// The object that has this triangle: the last one whose first triangle is not beyond it. Halving ends after 32 rounds.
+uint object_of(IN(uint) triangle) {
+  uint object = 0u;
+  uint beyond = steering_constants().object_count;
+  for (uint i = 0u; object + 1u < beyond && i < 32u; i++) {
+    uint middle = object + (beyond - object) / 2u;
+    bool reached = load_first_triangle(middle) <= triangle;
+    object = reached ? middle : object;
+    beyond = reached ? beyond : middle;
+  }
+  return object;
+}
+
 void store_miss(IN(uint) first) {
   for (uint i = 0u; i < AOV_WORDS; i++) store_aov(first + i, 0u);
   store_aov(first + AOV_DEPTH, 0x7f800000u);  // +infinity
@@ -67,9 +80,10 @@ void trace_primary(IN(vec2) position, IN(uint) pixel) {
   store_aov(first + AOV_UV, floatBitsToUint(uv.x));
   store_aov(first + AOV_UV + 1u, floatBitsToUint(uv.y));
   store_aov_vector(first + AOV_ALBEDO, shading_terms(material, texels, first_three(color)).base);
-  store_aov(first + AOV_OBJECT_ID, load_triangle_id(2u * hit.triangle));
+  uint object = object_of(hit.triangle);
+  store_aov(first + AOV_OBJECT_ID, object);
   store_aov(first + AOV_MATERIAL_ID, point.vertices.w);
-  store_aov(first + AOV_PRIMITIVE_ID, load_triangle_id(2u * hit.triangle + 1u));
+  store_aov(first + AOV_PRIMITIVE_ID, hit.triangle - load_first_triangle(object));
   store_aov(first + AOV_TRIANGLE, hit.triangle);
 }
 

@@ -3,6 +3,7 @@
 #define VERNIER_RAY_GLSL
 
 #include "rounding.glsl"
+#include "shared/instance_layout.h"
 #include "shared/render_constants.h"
 
 struct Ray {
@@ -15,10 +16,11 @@ struct Hit {
   float t;
   uint triangle;  // global number; NONE: nothing hit
   uint record;    // of the BVH, where the corners lie
+  uint instance;  // in whose space they lie (instance_layout.h)
 };
 
 // The start of a search for hits up to t_max, at most LARGEST_FLOAT.
-Hit no_hit(IN(float) t_max) { return Hit(t_max, NONE, NONE); }
+Hit no_hit(IN(float) t_max) { return Hit(t_max, NONE, NONE, INSTANCE_WORLD); }
 
 // The axis of the largest component of a direction: 0, 1 or 2.
 int largest_axis(IN(vec3) direction) {

@@ -22,6 +22,7 @@ vec3 kept_in_world(IN(vec3) origin) {
 // and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems 6); the bound is that of SurfacePoint.
 vec3 spawn_origin(IN(SurfacePoint) surface, IN(vec3) direction) {
   float distance = dot_product(abs(surface.geometric_normal), surface.position_error);
+  if (INSTANCED) distance += surface.normal_error;
   if (level_at(SPOT_SPAWN) == LEVEL_FAST) distance = FIXED_OFFSET;
   if (mutated(MUTATION_METRE_OFFSET)) distance = FIXED_OFFSET / render_constants().metres_per_unit;
   bool above = dot_product(direction, surface.geometric_normal) >= 0.0f;

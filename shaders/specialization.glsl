@@ -13,6 +13,7 @@ layout(constant_id = SPECIALIZATION_PATH_STACK) const uint PATH_STACK_SIZE = 18u
 layout(constant_id = SPECIALIZATION_COUNT_COST) const bool COUNT_COST = false;
 layout(constant_id = SPECIALIZATION_COUNT_EFFECTS) const bool COUNT_EFFECTS = false;
 layout(constant_id = SPECIALIZATION_LISTED_PIXELS) const bool LISTED_PIXELS = false;
+layout(constant_id = SPECIALIZATION_INSTANCED) const bool INSTANCED = false;
 
 layout(constant_id = SPECIALIZATION_LEVELS) const uint LEVELS = LEVELS_OF(LEVEL_ROBUST);
 layout(constant_id = SPECIALIZATION_MUTATION) const uint MUTATION = MUTATION_NONE;

@@ -12,6 +12,7 @@ struct SurfacePoint {
   vec3 normal;           // unit, shading, towards the viewer
   bool front;            // the viewer sees the front side
   uint material;
+  float normal_error;    // with INSTANCED: TrianglePoint's
 };
 
 // Interpolated vertex normal on the side of `geometric`, or `geometric` itself where a corner has none.
@@ -22,6 +23,12 @@ vec3 interpolated_normal(IN(TrianglePoint) point, IN(vec3) geometric) {
   vec3 n0 = first_three(vertex_attribute(point.vertices.x, texel));
   vec3 n1 = first_three(vertex_attribute(point.vertices.y, texel));
   vec3 n2 = first_three(vertex_attribute(point.vertices.z, texel));
+  if (INSTANCED) {
+    AffineMap map = fetch_map(point.instance, INSTANCE_OBJECT_FROM_TRACED);
+    n0 = unit_vector(mapped_normal(map, n0));
+    n1 = unit_vector(mapped_normal(map, n1));
+    n2 = unit_vector(mapped_normal(map, n2));
+  }
   bool flat_corner = n0 == vec3(0.0f) || n1 == vec3(0.0f) || n2 == vec3(0.0f);
   vec3 smooth_normal = unit_vector(n0 * point.b0 + n1 * point.b1 + n2 * point.b2);
   if (flat_corner || smooth_normal == vec3(0.0f)) return geometric;
@@ -33,13 +40,19 @@ vec3 interpolated_normal(IN(TrianglePoint) point, IN(vec3) geometric) {
 // Tangent (xyz) around `normal` and handedness (w), from the mesh or from the gradient of UV set `uv_set`; zero for none.
 vec4 tangent_frame(IN(TrianglePoint) point, IN(vec3) normal, IN(uint) uv_set) {
   SteeringConstants constants = steering_constants();
+  float handedness = INSTANCED ? uintBitsToFloat(fetch_instance_words(point.instance).y) : 1.0f;
   if (constants.tangent_texel != NONE) {
     vec4 t0 = vertex_attribute(point.vertices.x, constants.tangent_texel);
     vec4 t1 = vertex_attribute(point.vertices.y, constants.tangent_texel);
     vec4 t2 = vertex_attribute(point.vertices.z, constants.tangent_texel);
     if (t0.w != 0.0f && t1.w != 0.0f && t2.w != 0.0f) {
       vec3 t = first_three(t0 * point.b0 + t1 * point.b1 + t2 * point.b2);
-      return vec4(unit_vector(t - normal * dot_product(normal, t)), t0.w);
+      if (INSTANCED) {
+        AffineMap map = fetch_map(point.instance, INSTANCE_TRACED_FROM_OBJECT);
+        t = unit_vector(mapped_vector(map, first_three(t0))) * point.b0 + unit_vector(mapped_vector(map, first_three(t1))) * point.b1 +
+            unit_vector(mapped_vector(map, first_three(t2))) * point.b2;
+      }
+      return vec4(unit_vector(t - normal * dot_product(normal, t)), t0.w * handedness);
     }
   }
   uint texel = uv_texel(uv_set);
@@ -51,7 +64,7 @@ vec4 tangent_frame(IN(TrianglePoint) point, IN(vec3) normal, IN(uint) uv_set) {
   if (area == 0.0f || !is_finite(area)) return vec4(0.0f);
   float side = area < 0.0f ? -1.0f : 1.0f;
   vec3 t = (point.e1 * d2.y - point.e2 * d1.y) * side;
-  return vec4(unit_vector(t - normal * dot_product(normal, t)), -side);
+  return vec4(unit_vector(t - normal * dot_product(normal, t)), -side * handedness);
 }
 
 // `normal` bent by the material's normal texture; unchanged where there is none or no tangent.
@@ -76,7 +89,8 @@ SurfacePoint surface_point(IN(TrianglePoint) point, IN(DeviceMaterial) material,
   SurfacePoint surface;
   surface.position = point.position;
   surface.position_error = point.position_error;
-  vec3 geometric = unit_vector(cross_product(point.e1, point.e2));
+  surface.normal_error = point.normal_error;
+  vec3 geometric = winding_normal(point);
   vec3 normal = interpolated_normal(point, geometric);
   if (effect_on(EFFECT_NORMAL_TEXTURE)) normal = bent_normal(point, material, texels, normal);
   surface.front = dot_product(geometric, direction) <= 0.0f;

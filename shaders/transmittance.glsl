@@ -28,7 +28,7 @@ vec3 surface_transmittance(IN(HitSurface) surface, IN(float) cosine) {
 // Takes the shadow ray of `visit` through the surface that it met at `hit`.
 void pass_surface(INOUT(LightVisit) visit, IN(Hit) hit, IN(HitSurface) surface) {
   float length_of_t = sqrt(dot_product(visit.ray.direction, visit.ray.direction));
-  vec3 normal = unit_vector(cross_product(surface.point.e1, surface.point.e2));
+  vec3 normal = winding_normal(surface.point);
   float along = dot_product(normal, visit.ray.direction) / length_of_t;
   visit.value *= surface_transmittance(surface, min(abs(along), 1.0f));
   if (effect_on(EFFECT_ABSORPTION) && is_transmissive(surface.material) && !has_flag(surface.material, MATERIAL_THIN_WALLED) &&

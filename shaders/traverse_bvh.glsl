@@ -2,6 +2,7 @@
 #ifndef VERNIER_TRAVERSE_BVH_GLSL
 #define VERNIER_TRAVERSE_BVH_GLSL
 
+#include "instance.glsl"
 #include "intersect_box.glsl"
 #include "intersect_triangle.glsl"
 #include "loop_limit.glsl"
@@ -67,25 +68,38 @@ struct Found {
   uint triangles;  // tested, with COUNT_COST
 };
 
-// The answer to `search`; no hit for a ray that is not valid.
-Found traverse_bvh(IN(Search) search) {
-  SlabRay slab = slab_ray(search.ray);
-  ShearedRay sheared = sheared_ray(search.ray);
-  Found found = Found(no_hit(search.t_max), false, true, 0u, 0u);
-  Cursor cursor = Cursor(0u, 0u, 0u, scene_has_triangles() && is_valid_ray(search.ray));
+// A ray as a tree sees it.
+struct TreeRay {
+  SlabRay slab;
+  ShearedRay sheared;
+};
+
+TreeRay tree_ray(IN(Ray) ray) { return TreeRay(slab_ray(ray), sheared_ray(ray)); }
+
+// Which tree a search is in: the scene's, or below an instance that of its mesh.
+struct Tree {
+  uint instance;        // INSTANCE_WORLD: the scene's
+  uint first_triangle;  // number of its first triangle
+  uint stack_floor;     // entries of the stack that belong to the scene's
+  uint entered;         // an instance that was met and is to be gone into, or NONE
+};
+
+// Follows `ray`, which is `above` in the scene's tree, to the end of the search or to an instance.
+void search_trees(IN(Search) search, IN(TreeRay) above, INOUT(TreeRay) ray, INOUT(Tree) tree, INOUT(Cursor) cursor, INOUT(Found) found) {
   for (uint steps = 0u; cursor.running && steps < LOOP_ROUND_LIMIT; steps++) {
     uint record = cursor.record;
     uvec4 a = load_record(3u * record);
     uvec4 b = load_record(3u * record + 1u);
     uvec4 c = load_record(3u * record + 2u);
     bool is_triangle = (a.w & BVH_TRIANGLE) != 0u;
-    ivec4 entries = intersect_children(slab, a, b, c, search.t_min, found.hit.t);
+    ivec4 entries = intersect_children(ray.slab, a, b, c, search.t_min, found.hit.t);
     // The next record is chosen before the triangle is tested: a CPU that looks ahead then asks for it meanwhile.
     advance(cursor, !is_triangle, entries, c.z);
     // Both kinds are worked out for every record: lanes in lockstep pay for both anyway, and selects are cheaper than a
     // branch. A record that is no triangle can hit nothing beyond the largest float.
-    bool accepted = intersect_triangle(sheared, uintBitsToFloat(uvec3(a.x, a.y, a.z)), uintBitsToFloat(uvec3(b.x, b.y, b.z)),
-                                       uintBitsToFloat(uvec3(c.x, c.y, c.z)), c.w, record,
+    uint triangle = INSTANCED ? tree.first_triangle + c.w : c.w;
+    bool accepted = intersect_triangle(ray.sheared, uintBitsToFloat(uvec3(a.x, a.y, a.z)), uintBitsToFloat(uvec3(b.x, b.y, b.z)),
+                                       uintBitsToFloat(uvec3(c.x, c.y, c.z)), triangle, record,
                                        is_triangle ? search.t_min : LARGEST_FLOAT, search.after_triangle, found.hit);
     bool opaque = (a.w & BVH_TRIANGLE_NOT_OPAQUE) == 0u;
     found.is_opaque = accepted ? opaque : found.is_opaque;
@@ -94,8 +108,50 @@ Found traverse_bvh(IN(Search) search) {
       found.triangles += is_triangle ? 1u : 0u;
     }
     cursor.running = cursor.running && !(search.stop_at_opaque && accepted && opaque);
+    if (INSTANCED) {
+      found.hit.instance = accepted ? tree.instance : found.hit.instance;
+      // Mapping a ray takes half as long as a record, and llvmpipe would do it for every one: lanes wait here until no other
+      // has anything else to do. The way back is only selects.
+      bool enters = (a.w & BVH_INSTANCE) != 0u && entries.x != SLAB_MISS;
+      tree.entered = enters ? b.x >> BVH_INSTANCE_SHIFT : NONE;
+      cursor.running = cursor.running && !enters;
+      if (cursor.stack_count < tree.stack_floor) {
+        ray = above;
+        tree = Tree(INSTANCE_WORLD, 0u, 0u, tree.entered);
+      }
+    }
   }
-  found.finished = !cursor.running;
+}
+
+// Goes into the instance that was met; false where none was.
+bool enter_instance(IN(Ray) ray, INOUT(TreeRay) mapped, INOUT(Tree) tree, INOUT(Cursor) cursor) {
+  bool enters = tree.entered != NONE;
+  if (enters) {
+    mapped = tree_ray(ray_in_instance(ray, tree.entered));
+    tree = Tree(tree.entered, fetch_instance_words(tree.entered).x, cursor.stack_count, NONE);
+    cursor.running = true;
+  }
+  return enters;
+}
+
+// The answer to `search`; no hit for a ray that is not valid.
+Found traverse_bvh(IN(Search) search) {
+  TreeRay above = tree_ray(search.ray);
+  TreeRay ray = above;
+  Tree tree = Tree(INSTANCE_WORLD, 0u, 0u, NONE);
+  Found found = Found(no_hit(search.t_max), false, true, 0u, 0u);
+  Cursor cursor = Cursor(0u, 0u, 0u, scene_has_triangles() && is_valid_ray(search.ray));
+  bool again = false;
+  if (INSTANCED) {
+    again = cursor.running;
+    for (uint entered = 0u; again && entered < LOOP_ROUND_LIMIT; entered++) {
+      search_trees(search, above, ray, tree, cursor, found);
+      again = enter_instance(search.ray, ray, tree, cursor);
+    }
+  } else {
+    search_trees(search, above, ray, tree, cursor, found);
+  }
+  found.finished = !cursor.running && !again;
   return found;
 }
 

@@ -4,9 +4,8 @@
 
 #include "effect_runs.glsl"
 #include "exact_crossing.glsl"
+#include "instance.glsl"
 #include "intersect_triangle.glsl"
-#include "material.glsl"
-#include "ray.glsl"
 
 // A triangle's corners, vertices and the weights of the hit.
 struct TrianglePoint {
@@ -16,6 +15,10 @@ struct TrianglePoint {
   float t;
   vec3 position;        // of the hit
   vec3 position_error;  // bound of its distance from the triangle's plane, per axis
+  // With INSTANCED:
+  uint instance;
+  vec3 normal;         // geometric, unit, on the side from which the corners are seen counter-clockwise
+  float normal_error;  // how far along the normal, beyond position_error, a ray must start that goes on
 };
 
 // At the exact level a point is off its plane by its rounding alone, but a ray that goes on along a neighbour meets corners that
@@ -32,7 +35,8 @@ TrianglePoint weighted_point(IN(vec3) v0, IN(vec3) v1, IN(vec3) v2, IN(uvec4) ve
   precise vec3 position = v0 + (e1 * weights.y + e2 * weights.z);
   vec3 extent = max(abs(e1), abs(e2));
   vec3 position_error = HALF_ULP_OF_ONE * (2.0f * abs(v0) + 6.0f * extent);
-  return TrianglePoint(v0, e1, e2, vertices, weights.x, weights.y, weights.z, t, position, position_error);
+  return TrianglePoint(v0, e1, e2, vertices, weights.x, weights.y, weights.z, t, position, position_error, INSTANCE_WORLD, vec3(0.0f),
+                       0.0f);
 }
 
 // The point of the triangle v0 v1 v2 that `ray` met at `hit`.
@@ -57,13 +61,59 @@ TrianglePoint point_on_triangle(IN(Ray) ray, IN(Hit) hit, IN(vec3) v0, IN(vec3) 
   return point;
 }
 
+// Takes `point`, found in the space of `instance`, to the traced space, where `ray` met it. Bounds of errors in half ulps
+// (HALF_ULP_OF_ONE):
+// - of the place: each number of the map 1 for its own rounding, products 1, their sums and what is added 3, the offset's own
+//   rounding (spawn_ray.glsl) 1: 6 of the size that it is summed up from. The error within the object's space comes on top.
+// - of the way back: the next ray's origin is mapped into the object's space again, 4 of the size that it is summed up from
+//   (instance.glsl), and its direction, 3 of its: while that crosses the triangle it covers the sum of two edges at most, along
+//   each axis. A distance along the object's normal n is 1 / |n A| of it in the traced space, A the linear part of the map.
+// After NVIDIA's self-intersection-avoidance, which leaves the direction out.
+void place_point(INOUT(TrianglePoint) point, IN(Ray) ray, IN(uint) instance) {
+  AffineMap in_map = fetch_map(instance, INSTANCE_OBJECT_FROM_TRACED);
+  AffineMap out_map = fetch_map(instance, INSTANCE_TRACED_FROM_OBJECT);
+  uvec4 words = fetch_instance_words(instance);
+  float half_ulp = HALF_ULP_OF_ONE * uintBitsToFloat(words.z);
+  if (mutated(MUTATION_UNMAPPED_ERROR)) half_ulp = 0.0f;
+  vec3 within = unit_vector(cross_product(point.e1, point.e2));
+  vec3 normal = mapped_normal(in_map, within);
+  vec3 position = mapped_point(out_map, point.position);
+  if (level_at(SPOT_POSITION) == LEVEL_FAST) position = ray.origin + ray.direction * point.t;
+  vec3 place_error = mapped_bound(out_map, point.position_error) + mapped_size(out_map, point.position) * (6.0f * half_ulp);
+  vec3 e1 = mapped_vector(out_map, point.e1);
+  vec3 e2 = mapped_vector(out_map, point.e2);
+  vec3 back_error = (mapped_size(in_map, position) * 4.0f + mapped_bound(in_map, abs(e1) + abs(e2)) * 3.0f) * half_ulp;
+  float stretch = sqrt(dot_product(normal, normal));
+  point.instance = instance;
+  point.normal = unit_vector(normal);
+  point.normal_error = stretch > 0.0f ? dot_product(abs(within), back_error) / stretch : 0.0f;
+  point.position = position;
+  point.position_error = place_error;
+  point.v0 = mapped_point(out_map, point.v0);
+  point.e1 = e1;
+  point.e2 = e2;
+}
+
 // The triangle of `hit`, which `ray` met.
 TrianglePoint triangle_point(IN(Ray) ray, IN(Hit) hit) {
   uvec4 a = load_record(3u * hit.record);
   uvec4 b = load_record(3u * hit.record + 1u);
   uvec4 c = load_record(3u * hit.record + 2u);
-  return point_on_triangle(ray, hit, first_three(float_texel(a)), first_three(float_texel(b)), first_three(float_texel(c)),
-                           load_triangle(hit.triangle));
+  uint place = hit.triangle;
+  Ray within = ray;
+  if (INSTANCED) {
+    place = b.w;
+    within = ray_in_instance(ray, hit.instance);
+  }
+  TrianglePoint point = point_on_triangle(within, hit, first_three(float_texel(a)), first_three(float_texel(b)),
+                                          first_three(float_texel(c)), load_triangle(place));
+  if (INSTANCED) place_point(point, ray, hit.instance);
+  return point;
+}
+
+// Its geometric normal, unit, on the side from which the corners are seen counter-clockwise.
+vec3 winding_normal(IN(TrianglePoint) point) {
+  return INSTANCED ? point.normal : unit_vector(cross_product(point.e1, point.e2));
 }
 
 // Attribute at offset `texel` of a vertex.

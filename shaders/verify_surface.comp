@@ -46,13 +46,14 @@ uvec4 load_texture(uint i) {
 }
 uint load_texel(uint i) { return floatBitsToUint(float(i / 4u)); }
 uvec4 load_material(uint i) { return uvec4(0u); }
+uvec4 load_instance(uint i) { return uvec4(0u); }
 
 #include "camera.glsl"
 #include "surface.glsl"
 
 // The triangle's point of these weights: no ray decides them.
 TrianglePoint weighted_point(float b1, float b2) {
-  TrianglePoint point = triangle_point(Ray(vec3(0.0), vec3(0.0, 0.0, 1.0)), Hit(1.0, 0u, 0u));
+  TrianglePoint point = triangle_point(Ray(vec3(0.0), vec3(0.0, 0.0, 1.0)), Hit(1.0, 0u, 0u, INSTANCE_WORLD));
   point.b0 = 1.0 - b1 - b2;
   point.b1 = b1;
   point.b2 = b2;

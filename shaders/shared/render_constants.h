@@ -51,6 +51,7 @@ struct SteeringConstants {
   uint color_texel;
   uint tangent_texel;
   uint pixel_filter;  // PIXEL_FILTER_*
+  uint object_count;  // numbers in BINDING_FIRST_TRIANGLES
 };
 
 // One dispatch; steering constants go with it.
@@ -73,7 +74,7 @@ struct DispatchConstants {
 
 #ifdef __cplusplus
 static_assert(sizeof(RenderConstants) == 4 * (6 * 4 + 6 + 27));
-static_assert(sizeof(DispatchConstants) == 4 * (13 + 12));
+static_assert(sizeof(DispatchConstants) == 4 * (13 + 13));
 }  // namespace vernier
 #endif
 

@@ -30,10 +30,12 @@ struct Bvh {
   LargeArray<BvhRecord> records;
   Box bounds;  ///< unpadded bounds of the triangles in the tree
   std::uint32_t triangle_count = 0;
-  std::uint32_t node_count = 0;
-  /// Nodes on the longest way from the root to a triangle: the root over triangles has depth 1. A traversal that keeps
-  /// the unvisited siblings of one level as one group, and pushes the group it holds when it goes down a level, pushes
-  /// nothing at the root and once at most at each further node: depth - 1 stack entries always do.
+  std::uint32_t node_count = 0;      ///< instances too
+  std::uint32_t instance_count = 0;  ///< of trees in the tree (instance_tree.h)
+  /// Nodes on the longest way from the root to a triangle: the root over triangles has depth 1. Below an instance its
+  /// tree's own nodes count on. A traversal that keeps the unvisited siblings of one level as one group, and pushes the
+  /// group it holds when it goes down a level, pushes nothing at the root and once at most at each further node: depth
+  /// - 1 stack entries always do.
   std::uint32_t depth = 0;
   double sah_cost =
       0.0;  ///< of the binary tree before collapsing: sum of area(node)/area(root) x (1 + triangles in a leaf)

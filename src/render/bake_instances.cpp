@@ -3,6 +3,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "bvh/corner_order.h"
 #include "error.h"
@@ -56,12 +57,10 @@ glm::uvec3 traced_order(const glm::uvec3& corner, const std::vector<glm::vec3>& 
   return {corner[first], corner[(first + 1) % 3], corner[(first + 2) % 3]};
 }
 
-/// Appends one instance. `positions` is scratch space.
-void bake_instance(const Scene& scene, std::uint32_t instance_index, const TracedSpace& space,
-                   std::vector<glm::vec3>& positions, BakedScene& baked) {
-  const Instance& instance = scene.instances[instance_index];
-  const Mesh& mesh = scene.meshes[instance.mesh];
-  const glm::dmat3 direction(instance.world_from_object);
+/// Appends one placed mesh, its corners to `corners` with ids that are their place there. `positions` is scratch space.
+void bake_placed(const Mesh& mesh, const glm::dmat4& world_from_object, const TracedSpace& space,
+                 std::vector<glm::vec3>& positions, std::vector<BvhTriangle>& corners, BakedScene& baked) {
+  const glm::dmat3 direction(world_from_object);
   const bool mirrored = glm::determinant(direction) < 0.0;
   const DirectionTransform transform{direction, glm::transpose(glm::inverse(direction)), mirrored ? -1.0f : 1.0f};
   const std::size_t vertex_words = 4 * static_cast<std::size_t>(baked.layout.texels);
@@ -69,7 +68,7 @@ void bake_instance(const Scene& scene, std::uint32_t instance_index, const Trace
   baked.vertices.resize(baked.vertices.size() + vertex_words * mesh.positions.size());
   positions.resize(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-    const glm::dvec4 world = instance.world_from_object * glm::dvec4(mesh.positions[i], 1.0);
+    const glm::dvec4 world = world_from_object * glm::dvec4(mesh.positions[i], 1.0);
     positions[i] = glm::vec3(traced_from_world(space, glm::dvec3(world))) + 0.0f;  // -0 becomes +0
     bake_vertex(mesh, i, transform, baked.layout, baked.vertices.data() + vertex_words * (first + i));
   }
@@ -77,13 +76,19 @@ void bake_instance(const Scene& scene, std::uint32_t instance_index, const Trace
     glm::uvec3 corner = mesh.triangles[i];
     if (mirrored) std::swap(corner.y, corner.z);
     corner = traced_order(corner, positions);
-    const auto id = static_cast<std::uint32_t>(baked.corners.size());
-    baked.corners.push_back({positions[corner.x], positions[corner.y], positions[corner.z], id});
+    const auto id = static_cast<std::uint32_t>(corners.size());
+    corners.push_back({positions[corner.x], positions[corner.y], positions[corner.z], id});
     const auto base = static_cast<std::uint32_t>(first);
     baked.triangles.insert(baked.triangles.end(),
                            {base + corner.x, base + corner.y, base + corner.z, mesh.triangle_materials[i]});
-    baked.triangle_ids.insert(baked.triangle_ids.end(), {instance_index, static_cast<std::uint32_t>(i)});
   }
+}
+
+/// Numbers the triangles that have none yet from `number` on.
+void append_numbers(std::uint32_t number, BakedScene& baked) {
+  const std::size_t first = baked.numbers.size();
+  baked.numbers.resize(baked.corners.size());
+  std::iota(baked.numbers.begin() + static_cast<std::ptrdiff_t>(first), baked.numbers.end(), number);
 }
 
 }  // namespace
@@ -109,26 +114,40 @@ VertexLayout choose_vertex_layout(const Scene& scene) {
   return layout;
 }
 
-BakedScene bake_instances(const Scene& scene, const TracedSpace& space) {
+BakedScene bake_instances(const Scene& scene, const TracedSpace& space, const InstancePlan& plan) {
   BakedScene baked;
   baked.layout = choose_vertex_layout(scene);
-  std::size_t triangle_count = 0;
-  std::size_t vertex_count = 0;
-  for (const Instance& instance : scene.instances) {
-    triangle_count += scene.meshes[instance.mesh].triangles.size();
-    vertex_count += scene.meshes[instance.mesh].positions.size();
+  if (plan.triangles >= NONE || plan.stored_vertices >= NONE) {
+    throw Error(ErrorKind::refused, scene.source + ": " + std::to_string(plan.triangles) + " triangles and " +
+                                        std::to_string(plan.stored_vertices) + " vertices are beyond 4294967294");
   }
-  if (triangle_count >= NONE || vertex_count >= NONE) {
-    throw Error(ErrorKind::refused, scene.source + ": " + std::to_string(triangle_count) + " triangles and " +
-                                        std::to_string(vertex_count) + " vertices are beyond 4294967294");
-  }
-  baked.corners.reserve(triangle_count);
-  baked.triangles.reserve(4 * triangle_count);
-  baked.triangle_ids.reserve(2 * triangle_count);
-  baked.vertices.reserve(4 * static_cast<std::size_t>(baked.layout.texels) * vertex_count);
+  std::uint64_t copied = plan.stored_triangles;
+  for (const std::uint32_t mesh : plan.meshes) copied -= scene.meshes[mesh].triangles.size();
+  baked.corners.reserve(copied);
+  baked.triangles.reserve(4 * plan.stored_triangles);
+  baked.vertices.reserve(4 * static_cast<std::size_t>(baked.layout.texels) * plan.stored_vertices);
+  baked.first_triangles.reserve(scene.instances.size());
   std::vector<glm::vec3> positions;
-  for (std::uint32_t i = 0; i < scene.instances.size(); ++i) bake_instance(scene, i, space, positions, baked);
+  std::uint32_t number = 0;
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const Instance& instance = scene.instances[i];
+    const Mesh& mesh = scene.meshes[instance.mesh];
+    baked.first_triangles.push_back(number);
+    if (plan.place[i] == NONE) {
+      bake_placed(mesh, instance.world_from_object, space, positions, baked.corners, baked);
+      if (!plan.meshes.empty()) append_numbers(number, baked);
+    }
+    number += static_cast<std::uint32_t>(mesh.triangles.size());
+  }
   return baked;
+}
+
+std::vector<BvhTriangle> bake_shared_mesh(const Mesh& mesh, const TracedSpace& space, BakedScene& baked) {
+  std::vector<glm::vec3> positions;
+  std::vector<BvhTriangle> corners;
+  corners.reserve(mesh.triangles.size());
+  bake_placed(mesh, glm::dmat4(1.0), space, positions, corners, baked);
+  return corners;
 }
 
 }  // namespace vernier

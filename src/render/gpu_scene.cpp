@@ -29,13 +29,16 @@ GpuScene::GpuScene(const Device& device, const PackedScene& packed, SceneLoads l
   lights_ = uploaded(device, packed.lights, wide);
   textures_ = uploaded(device, packed.textures, wide);
   texels_ = uploaded(device, packed.texels, narrow);
-  triangle_ids_ = uploaded(device, packed.triangle_ids, narrow);
+  first_triangles_ = uploaded(device, packed.first_triangles, narrow);
+  instances_ = uploaded(device, packed.instances, wide);
 }
 
 std::vector<Binding> GpuScene::bindings() const {
-  return {{BINDING_RENDER, &constants_},  {BINDING_RECORDS, &records_},     {BINDING_TRIANGLES, &triangles_},
-          {BINDING_VERTICES, &vertices_}, {BINDING_MATERIALS, &materials_}, {BINDING_LIGHTS, &lights_},
-          {BINDING_TEXTURES, &textures_}, {BINDING_TEXELS, &texels_},       {BINDING_TRIANGLE_IDS, &triangle_ids_}};
+  return {
+      {BINDING_RENDER, &constants_},   {BINDING_RECORDS, &records_},     {BINDING_TRIANGLES, &triangles_},
+      {BINDING_VERTICES, &vertices_},  {BINDING_MATERIALS, &materials_}, {BINDING_LIGHTS, &lights_},
+      {BINDING_TEXTURES, &textures_},  {BINDING_TEXELS, &texels_},       {BINDING_FIRST_TRIANGLES, &first_triangles_},
+      {BINDING_INSTANCES, &instances_}};
 }
 
 std::uint64_t GpuScene::size_bytes() const {

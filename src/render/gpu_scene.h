@@ -31,7 +31,8 @@ class GpuScene {
 
  private:
   SteeringConstants steering_{};
-  Buffer constants_, records_, triangles_, vertices_, materials_, lights_, textures_, texels_, triangle_ids_;
+  Buffer constants_, records_, triangles_, vertices_, materials_, lights_, textures_, texels_, first_triangles_,
+      instances_;
 };
 
 }  // namespace vernier

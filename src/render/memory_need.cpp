@@ -8,7 +8,8 @@
 #include "bvh/bvh.h"
 #include "error.h"
 #include "render/bake_instances.h"
-#include "shared/bvh_record.h"
+#include "render/plan_instances.h"
+#include "shared/instance_layout.h"
 
 namespace vernier {
 namespace {
@@ -16,14 +17,16 @@ namespace {
 /// Per triangle, all that lives at once when the BVH is written: box references 32, binary nodes 32, plans of the
 /// collapse 24.
 constexpr std::uint64_t kBuildBytes = 88;
-/// Vertices and material 16, instance and number in the mesh 8.
-constexpr std::uint64_t kTriangleBytes = 24;
+/// Vertices and material.
+constexpr std::uint64_t kTriangleBytes = 16;
+/// Number of the first triangle of an object.
+constexpr std::uint64_t kObjectBytes = 4;
 /// Of an attribute of a vertex.
 constexpr std::uint64_t kTexelBytes = 16;
 
 /// Most nodes have four children, so that there are four for ten triangles: half as many are not met.
-std::uint64_t most_records(std::uint64_t triangles) {
-  return triangles + triangles / 2 + 1;
+std::uint64_t most_record_bytes(std::uint64_t triangles) {
+  return (triangles + triangles / 2 + 1) * sizeof(BvhRecord);
 }
 
 std::uint64_t texture_bytes(const Scene& scene) {
@@ -66,23 +69,29 @@ std::uint64_t of_host(const MemoryNeed& need, const MemoryThere& there) {
 void check(const std::string& source, const MemoryNeed& need, std::uint64_t needed, std::optional<std::uint64_t> there,
            const char* whose) {
   if (!there || needed <= *there) return;
-  throw Error(ErrorKind::refused, source + ": " + std::to_string(need.triangles) + " triangles need " +
+  const bool shares = need.stored_triangles < need.triangles;
+  const std::string stored = shares ? " (" + std::to_string(need.stored_triangles) + " in memory)" : "";
+  throw Error(ErrorKind::refused, source + ": " + std::to_string(need.triangles) + " triangles" + stored + " need " +
                                       needed_text(needed) + " of the " + whose + "'s memory, " + there_text(*there) +
                                       " are there; simplify or split the model");
 }
 
 }  // namespace
 
-MemoryNeed memory_need(const Scene& scene) {
+MemoryNeed memory_need(const Scene& scene, Sharing sharing) {
+  const InstancePlan plan = plan_instances(scene, sharing);
   MemoryNeed need;
-  std::uint64_t vertices = 0;
-  for (const Instance& instance : scene.instances) {
-    need.triangles += scene.meshes[instance.mesh].triangles.size();
-    vertices += scene.meshes[instance.mesh].positions.size();
-  }
-  need.device_bytes = need.triangles * kTriangleBytes + most_records(need.triangles) * sizeof(BvhRecord) +
-                      vertices * choose_vertex_layout(scene).texels * kTexelBytes + texture_bytes(scene);
-  need.host_bytes = need.device_bytes + need.triangles * (sizeof(BvhTriangle) + kBuildBytes);
+  need.triangles = plan.triangles;
+  need.stored_triangles = plan.stored_triangles;
+  std::uint64_t shared_triangles = 0;
+  for (const std::uint32_t mesh : plan.meshes) shared_triangles += scene.meshes[mesh].triangles.size();
+  need.device_bytes = plan.stored_triangles * kTriangleBytes +
+                      most_record_bytes(plan.stored_triangles + plan.shared_instances) +
+                      plan.shared_instances * sizeof(DeviceInstance) + scene.instances.size() * kObjectBytes +
+                      plan.stored_vertices * choose_vertex_layout(scene).texels * kTexelBytes + texture_bytes(scene);
+  // The records of shared meshes are there twice when they are put behind those of the scene.
+  need.host_bytes = need.device_bytes + most_record_bytes(shared_triangles) +
+                    (plan.stored_triangles + plan.shared_instances) * (sizeof(BvhTriangle) + kBuildBytes);
   return need;
 }
 
@@ -116,7 +125,11 @@ std::string memory_text(const MemoryNeed& need, const MemoryThere& there) {
     return std::string(" of the ") + whose + "'s" + (bytes ? " " + there_text(*bytes) : "");
   };
   const std::string device = needed_text(need.device_bytes);
-  return "memory: at most " + needed_text(of_host(need, there)) + of(there.host_bytes, "host") +
+  const bool shares = need.stored_triangles < need.triangles;
+  const std::string stored = shares ? std::to_string(need.triangles) + " triangles, " +
+                                          std::to_string(need.stored_triangles) + " of them in memory; at most "
+                                    : "at most ";
+  return "memory: " + stored + needed_text(of_host(need, there)) + of(there.host_bytes, "host") +
          (there.shared ? ", " + device + " of them for the device" : ", " + device + of(there.device_bytes, "device"));
 }
 

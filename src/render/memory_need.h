@@ -5,15 +5,17 @@
 #include <string>
 
 #include "gpu/device.h"
+#include "render/render_settings.h"
 #include "scene/scene.h"
 
 namespace vernier {
 
 /// Memory that a scene will take beyond what it takes as loaded; a render's film is not in it.
 struct MemoryNeed {
-  std::uint64_t triangles = 0;     ///< of all instances
-  std::uint64_t host_bytes = 0;    ///< while its arrays and BVH are made, an upper bound
-  std::uint64_t device_bytes = 0;  ///< for as long as it is rendered, an upper bound
+  std::uint64_t triangles = 0;         ///< of all instances
+  std::uint64_t stored_triangles = 0;  ///< of meshes that instances share once (plan_instances.h)
+  std::uint64_t host_bytes = 0;        ///< while its arrays and BVH are made, an upper bound
+  std::uint64_t device_bytes = 0;      ///< for as long as it is rendered, an upper bound
 };
 
 /// Memory that a scene may take; empty: not known.
@@ -23,8 +25,8 @@ struct MemoryThere {
   bool shared = false;  ///< the device's is the host's, as of CPU devices
 };
 
-/// Of `scene`, by its counts alone: no triangle is looked at.
-MemoryNeed memory_need(const Scene& scene);
+/// Of `scene`, by its counts and by what plan_instances makes of its instances.
+MemoryNeed memory_need(const Scene& scene, Sharing sharing = Sharing::automatic);
 
 /// On the host: what this process may still take without swapping, as the system calls it available, or less where a
 /// control group (a container) allows less.

@@ -4,10 +4,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "bvh/build_bvh.h"
-#include "bvh/hidden_triangles.h"
 #include "error.h"
 #include "render/bake_instances.h"
+#include "render/build_trees.h"
 #include "render/pack_materials.h"
 #include "scene/environment_harmonics.h"
 #include "scene/frame_scene.h"
@@ -17,11 +16,6 @@ namespace {
 
 double milliseconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
-
-bool lets_light_pass(const Material& material) {
-  const glm::vec3& t = material.transmission;
-  return material.alpha_mode != AlphaMode::opaque || t.x > 0.0f || t.y > 0.0f || t.z > 0.0f;
 }
 
 void set_environment(PackedScene& packed, const Scene& scene) {
@@ -77,21 +71,23 @@ std::vector<std::uint32_t> pack_lights(const std::vector<Light>& lights, const T
 }
 
 PackedScene pack_scene(const Scene& scene, unsigned thread_count, BuildMethod method,
-                       const std::function<void(double)>& progress) {
+                       const std::function<void(double)>& progress, Sharing sharing) {
   PackedScene packed;
   const auto bake_start = std::chrono::steady_clock::now();
   packed.space = choose_traced_space(world_bounds(scene));
-  BakedScene baked = bake_instances(scene, packed.space);
+  const InstancePlan plan = plan_instances(scene, sharing);
+  BakedScene baked = bake_instances(scene, packed.space, plan);
   packed.bake_ms = milliseconds_since(bake_start);
   const auto build_start = std::chrono::steady_clock::now();
-  const auto not_opaque = [&](std::uint32_t id) {
-    return lets_light_pass(scene.materials[baked.triangles[4 * id + 3]]);
-  };
-  packed.hidden_triangles = remove_hidden(baked.corners, not_opaque, thread_count);
-  packed.bvh = build_bvh(baked.corners, not_opaque, thread_count, method, progress);
+  SceneTrees trees = build_trees(scene, plan, packed.space, baked, thread_count, method, progress);
+  packed.bvh = std::move(trees.bvh);
+  packed.instances = std::move(trees.instances);
+  packed.triangle_count = plan.triangles;
+  packed.traced_triangles = trees.traced_triangles;
+  packed.hidden_triangles = trees.hidden_triangles;
   packed.bvh_build_ms = milliseconds_since(build_start);
   packed.triangles = std::move(baked.triangles);
-  packed.triangle_ids = std::move(baked.triangle_ids);
+  packed.first_triangles = std::move(baked.first_triangles);
   packed.vertices = std::move(baked.vertices);
   packed.materials = pack_materials(scene, packed.space.metres_per_unit);
   packed.lights = pack_lights(scene.lights, packed.space);
@@ -103,6 +99,7 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count, BuildMethod me
   constants.metres_per_unit = static_cast<float>(packed.space.metres_per_unit);
   packed.steering.light_count = static_cast<std::uint32_t>(scene.lights.size());
   packed.steering.triangle_count = packed.bvh.triangle_count;
+  packed.steering.object_count = static_cast<std::uint32_t>(packed.first_triangles.size());
   packed.steering.vertex_texels = baked.layout.texels;
   packed.steering.normal_texel = baked.layout.normal;
   packed.steering.uv01_texel = baked.layout.uv01;

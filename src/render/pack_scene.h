@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "bvh/bvh.h"
+#include "render/plan_instances.h"
 #include "render/render_settings.h"
 #include "render/traced_space.h"
 #include "scene/scene.h"
@@ -18,23 +19,26 @@ struct PackedScene {
   TracedSpace space;
   Bvh bvh;
   std::vector<std::uint32_t> triangles;
-  std::vector<std::uint32_t> triangle_ids;
+  std::vector<std::uint32_t> first_triangles;
+  std::vector<std::uint32_t> instances;
   std::vector<std::uint32_t> vertices;
   std::vector<std::uint32_t> materials;
   std::vector<std::uint32_t> lights;
   std::vector<std::uint32_t> textures;
   std::vector<std::uint32_t> texels;
-  RenderConstants constants{};       ///< all that the scene decides; set_camera and set_settings add the rest
-  SteeringConstants steering{};      ///< likewise
-  std::size_t hidden_triangles = 0;  ///< left out of the BVH: they lie exactly on opaque ones before them
+  RenderConstants constants{};         ///< all that the scene decides; set_camera and set_settings add the rest
+  SteeringConstants steering{};        ///< likewise
+  std::uint64_t triangle_count = 0;    ///< of all instances, as are the next two
+  std::uint64_t traced_triangles = 0;  ///< in the BVH
+  std::uint64_t hidden_triangles = 0;  ///< left out of it: they lie exactly on opaque ones before them
   double bake_ms = 0.0;
   double bvh_build_ms = 0.0;
 };
 
 /// Packs `scene`, which has passed validate_scene, building the BVH by `method` on `thread_count` threads (0: all
-/// cores).
+/// cores). `sharing` decides which meshes are traced in a space of their own.
 PackedScene pack_scene(const Scene& scene, unsigned thread_count, BuildMethod method = BuildMethod::standard,
-                       const std::function<void(double share)>& progress = {});
+                       const std::function<void(double share)>& progress = {}, Sharing sharing = Sharing::automatic);
 
 /// `light` in device layout.
 DeviceLight device_light(const Light& light, const TracedSpace& space);

@@ -43,7 +43,7 @@ bool wants(const RenderSettings& settings, const char* aov) {
 }
 
 void describe_scene(const Scene& scene, const PackedScene& packed, RenderStatistics& statistics) {
-  statistics.triangles = packed.triangles.size() / 4;
+  statistics.triangles = packed.triangle_count;
   statistics.instances = scene.instances.size();
   statistics.materials = scene.materials.size();
   statistics.textures = scene.textures.size();
@@ -56,23 +56,24 @@ void describe_scene(const Scene& scene, const PackedScene& packed, RenderStatist
 }
 
 /// Triangles of all instances that validate_scene dropped, and has told of.
-std::size_t dropped_triangles(const Scene& scene) {
-  std::size_t count = 0;
-  for (const Instance& instance : scene.instances) {
-    const std::vector<glm::uvec3>& triangles = scene.meshes[instance.mesh].triangles;
-    count += static_cast<std::size_t>(std::ranges::count(triangles, glm::uvec3(0)));
+std::uint64_t dropped_triangles(const Scene& scene) {
+  std::vector<std::uint64_t> of_mesh;
+  for (const Mesh& mesh : scene.meshes) {
+    of_mesh.push_back(static_cast<std::uint64_t>(std::ranges::count(mesh.triangles, glm::uvec3(0))));
   }
+  std::uint64_t count = 0;
+  for (const Instance& instance : scene.instances) count += of_mesh[instance.mesh];
   return count;
 }
 
 /// Tells of triangles that no ray will meet.
 void describe_left_out(const Scene& scene, const PackedScene& packed, RenderStatistics& statistics) {
-  const auto tell = [&](std::size_t count, const char* what) {
+  const auto tell = [&](std::uint64_t count, const char* what) {
     if (count == 0) return;
     statistics.warnings.push_back(scene.source + ": " + std::to_string(count) +
                                   (count == 1 ? " triangle " : " triangles ") + what);
   };
-  const std::size_t left_out = packed.triangles.size() / 4 - packed.bvh.triangle_count;
+  const std::uint64_t left_out = packed.triangle_count - packed.traced_triangles;
   tell(left_out - packed.hidden_triangles - dropped_triangles(scene), "without area, never hit");
   tell(packed.hidden_triangles, "exactly on others before, never seen");
 }
@@ -127,7 +128,7 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   statistics.effects = plan_effects(scene, camera, settings.max_bounces, settings.cutoff, settings.effects);
   const std::uint32_t bounces = statistics.effects.depth.bounces;
 
-  PackedScene packed = pack_scene(scene, 0, settings.bvh, callbacks.building);
+  PackedScene packed = pack_scene(scene, 0, settings.bvh, callbacks.building, settings.sharing);
   describe_scene(scene, packed, statistics);
   describe_left_out(scene, packed, statistics);
   set_camera(packed, camera, settings);
@@ -138,7 +139,7 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   const SceneLoads loads = choose_scene_loads(device.description(), settings.traversal);
   GpuScene gpu_scene = upload_scene(device, packed, loads, statistics);
   gpu_scene.set_constants(device, packed.constants, packed.steering);
-  TraceSpecialization specialization = specialize(statistics.effects.bits, packed.bvh.depth, bounces,
+  TraceSpecialization specialization = specialize(statistics.effects.bits, shape_of(packed.bvh), bounces,
                                                   wants(settings, "cost"), device.description(), settings.traversal);
   specialization.levels = settings.spot_levels.value_or(levels_of(settings.accuracy));
   specialization.mutation = settings.mutation;

@@ -43,6 +43,13 @@ constexpr std::string_view to_string(TextureFilter filter) {
   return filter == TextureFilter::file ? "file" : filter == TextureFilter::nearest ? "nearest" : "linear";
 }
 
+/// What becomes of meshes that a scene uses more than once (plan_instances.h).
+enum class Sharing {
+  automatic,  ///< they are copied as long as that costs little memory, since rays are quicker then
+  never,      ///< always copied
+  always      ///< no mesh is copied, not even one that is used once
+};
+
 /// What decides the image and how it is made. The defaults are the command line's.
 struct RenderSettings {
   int width = 1280;
@@ -64,9 +71,10 @@ struct RenderSettings {
   std::optional<double> error_target;  ///< sqrt(relMSE) at which sampling stops; spp is then the most of a pixel
   double time_limit_s = std::numeric_limits<double>::infinity();
   std::uint32_t seed = 0;
-  bool count_effects = false;     ///< counts how often each effect runs: slower, never changes a bit
-  bool film_layer = false;        ///< adds the layer `film` (film_layer.h): the sums, for merging
-  std::vector<std::string> aovs;  ///< names of cli.md's --aov
+  bool count_effects = false;            ///< counts how often each effect runs: slower, never changes a bit
+  bool film_layer = false;               ///< adds the layer `film` (film_layer.h): the sums, for merging
+  std::vector<std::string> aovs;         ///< names of cli.md's --aov
+  Sharing sharing = Sharing::automatic;  ///< of meshes; tests alone set it
   // `vernier verify` alone sets these two (shared/accuracy.h).
   std::optional<std::uint32_t> spot_levels;  ///< the level of each spot, instead of `accuracy`
   std::uint32_t mutation = 0;                ///< MUTATION_*, a fault to seed; 0: none

@@ -17,7 +17,7 @@ RayCounts difference(const RayCounts& after, const RayCounts& before) {
 }  // namespace
 
 StagedScene::StagedScene(const Device& device, const Scene& scene, const Camera& camera, const RenderSettings& settings)
-    : StagedScene(device, pack_scene(scene, 0), camera, settings) {}
+    : StagedScene(device, pack_scene(scene, 0, settings.bvh, {}, settings.sharing), camera, settings) {}
 
 StagedScene::StagedScene(const Device& device, PackedScene packed, const Camera& camera, const RenderSettings& settings)
     : device_(device),
@@ -29,8 +29,8 @@ StagedScene::StagedScene(const Device& device, PackedScene packed, const Camera&
 }
 
 TraceSpecialization StagedScene::specialization(std::uint32_t effects) const {
-  TraceSpecialization values =
-      specialize(effects, packed_.bvh.depth, settings_.max_bounces, false, device_.description(), settings_.traversal);
+  TraceSpecialization values = specialize(effects, shape_of(packed_.bvh), settings_.max_bounces, false,
+                                          device_.description(), settings_.traversal);
   values.levels = levels_of(settings_.accuracy);
   return values;
 }

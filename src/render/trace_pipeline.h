@@ -20,9 +20,21 @@ struct TraceSpecialization {
   bool count_cost = false;
   bool count_effects = false;                      ///< trace kernel only
   bool listed_pixels = false;                      ///< dispatches have a list of their pixels
+  bool instanced = false;                          ///< the BVH has instances
   std::uint32_t levels = LEVELS_OF(LEVEL_ROBUST);  ///< numeric level of each spot (shared/accuracy.h)
   std::uint32_t mutation = MUTATION_NONE;          ///< seeded fault; a renderer has none
 };
+
+/// What a kernel has to know of a BVH.
+struct BvhShape {
+  std::uint32_t depth = 0;
+  bool instanced = false;  ///< it has instances
+};
+
+/// That of `bvh`.
+inline BvhShape shape_of(const Bvh& bvh) {
+  return {bvh.depth, bvh.instance_count > 0};
+}
 
 /// The levels of all spots at `accuracy`.
 std::uint32_t levels_of(Accuracy accuracy);
@@ -31,11 +43,10 @@ std::uint32_t levels_of(Accuracy accuracy);
 /// Up to 64; beyond that they are dropped and counted.
 std::uint32_t waiting_rays(std::uint32_t effects, std::uint32_t max_bounces);
 
-/// The specialization for a scene of `bvh_depth` with `effects`, at most `max_bounces` deep, on `device`. A stack that
+/// The specialization for a scene with `bvh` and `effects`, at most `max_bounces` deep, on `device`. A stack that
 /// is deeper than there are variables to shift is an array, whatever `form` says.
-TraceSpecialization specialize(std::uint32_t effects, std::uint32_t bvh_depth, std::uint32_t max_bounces,
-                               bool count_cost, const DeviceDescription& device,
-                               TraversalForm form = TraversalForm::automatic);
+TraceSpecialization specialize(std::uint32_t effects, const BvhShape& bvh, std::uint32_t max_bounces, bool count_cost,
+                               const DeviceDescription& device, TraversalForm form = TraversalForm::automatic);
 
 /// Which kernel.
 enum class Kernel {

@@ -15,6 +15,8 @@ namespace {
 constexpr double kMargin = 1.05;
 // Distance of the eye from the nearest point at least, in diagonals of the box: no needle ends in the eye.
 constexpr double kLeastDistance = 0.02;
+// Vertices that are looked at one by one: a camera over more of them would take as long as the picture.
+constexpr std::size_t kMostVisits = std::size_t{1} << 22;
 // Thinner than this part of the largest extent a box counts as flat.
 constexpr double kFlat = 1e-3;
 // Three quarters view, from the right, above and in front.
@@ -66,15 +68,54 @@ std::vector<bool> used_vertices(const Mesh& mesh) {
   return used;
 }
 
-/// Every vertex of every instance in the world, those of no triangle left out.
+/// The vertices of `mesh` that are corners of triangles.
+std::vector<glm::vec3> used_positions(const Mesh& mesh) {
+  const std::vector<bool> used = used_vertices(mesh);
+  std::vector<glm::vec3> positions;
+  for (std::size_t i = 0; i < used.size(); ++i) {
+    if (used[i]) positions.push_back(mesh.positions[i]);
+  }
+  return positions;
+}
+
+/// The corners of the box around some points.
+std::vector<glm::vec3> box_corners(const std::vector<glm::vec3>& points) {
+  if (points.empty()) return {};
+  WorldBounds box{glm::dvec3(points[0]), glm::dvec3(points[0])};
+  for (const glm::vec3& point : points) {
+    box.lo = glm::min(box.lo, glm::dvec3(point));
+    box.hi = glm::max(box.hi, glm::dvec3(point));
+  }
+  std::vector<glm::vec3> corners;
+  for (const glm::dvec3& corner : corners_of(box)) corners.push_back(glm::vec3(corner));
+  return corners;
+}
+
+/// Points of each mesh that stand for it wherever it is placed: its vertices, or where all instances have very many of
+/// them together, the corners of the box around them.
+std::vector<std::vector<glm::vec3>> outlines(const Scene& scene) {
+  std::vector<std::size_t> instances(scene.meshes.size());
+  std::size_t visits = 0;
+  for (const Instance& instance : scene.instances) {
+    ++instances[instance.mesh];
+    visits += scene.meshes[instance.mesh].positions.size();
+  }
+  std::vector<std::vector<glm::vec3>> points(scene.meshes.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (instances[i] == 0) continue;
+    points[i] = used_positions(scene.meshes[i]);
+    if (visits > kMostVisits && instances[i] > 1) points[i] = box_corners(points[i]);
+  }
+  return points;
+}
+
+/// The points of every instance's outline in the world.
 template <typename Visit>
 void for_each_vertex(const Scene& scene, const Visit& visit) {
-  std::vector<std::vector<bool>> used(scene.meshes.size());
+  const std::vector<std::vector<glm::vec3>> points = outlines(scene);
   for (const Instance& instance : scene.instances) {
-    const Mesh& mesh = scene.meshes[instance.mesh];
-    if (used[instance.mesh].empty()) used[instance.mesh] = used_vertices(mesh);
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      if (used[instance.mesh][i]) visit(glm::dvec3(instance.world_from_object * glm::dvec4(mesh.positions[i], 1.0)));
+    for (const glm::vec3& point : points[instance.mesh]) {
+      visit(glm::dvec3(instance.world_from_object * glm::dvec4(point, 1.0)));
     }
   }
 }

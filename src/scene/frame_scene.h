@@ -13,7 +13,8 @@ struct WorldBounds {
 };
 
 /// The bounds of `scene`, which has passed validate_scene. Dropped triangles (all indices 0) do not count; where
-/// nothing is left lo is +infinity and hi -infinity.
+/// nothing is left lo is +infinity and hi -infinity. Where instances have more than 2^22 vertices together, those of a
+/// mesh that is placed twice and more are bounded by its box. O(triangles of the meshes + instances).
 WorldBounds world_bounds(const Scene& scene);
 
 /// A camera at three quarters (from +X +Y +Z) with `vertical_fov` that sees all of `bounds` in an image of

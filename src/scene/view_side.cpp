@@ -100,8 +100,11 @@ SideView look_from(const Scene& scene, const WorldBounds& bounds, const glm::dve
   for (const Instance& instance : scene.instances) {
     const Mesh& mesh = scene.meshes[instance.mesh];
     const bool mirrored = glm::determinant(glm::dmat3(instance.world_from_object)) < 0.0;
-    for (const glm::uvec3& triangle : mesh.triangles) {
-      if (number++ % stride != 0) continue;
+    // As if all triangles were counted, every stride-th is looked at.
+    std::size_t i = (stride - number % stride) % stride;
+    number += mesh.triangles.size();
+    for (; i < mesh.triangles.size(); i += stride) {
+      const glm::uvec3& triangle = mesh.triangles[i];
       std::array<glm::dvec3, 3> corners;
       for (int c = 0; c < 3; ++c) {
         const glm::dvec4 corner(mesh.positions[triangle[c]], 1.0);

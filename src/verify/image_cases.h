@@ -20,6 +20,8 @@ CaseResult run_millions(const CaseSetup& setup);
 /// Hits of instances against float128 on the corners as they are transformed without rounding. Scales of 1e-4 to 1e4
 /// per axis, mirrors, shears, moves of 1e6.
 CaseResult run_instance_transform(const CaseSetup& setup);
+/// The same for meshes that are traced in their own space.
+CaseResult run_instance_shared(const CaseSetup& setup);
 /// Instances whose transform is singular are told of and change no bit of the rest of the picture.
 CaseResult run_singular_transform(const CaseSetup& setup);
 /// Glass boxes and spheres are not seen in a white world, within the level's Fresnel bound.
@@ -47,6 +49,8 @@ inline constexpr VerifyCase kImageCases[] = {
     {13, "image_layers", "100 layers one step apart count once each", "analytic", run_image_layers},
     {30, "millions", "hits among 2 million triangles are those of brute force", "metamorphic", run_millions},
     {32, "instance_transform", "instances are hit where their transform puts them", "float128", run_instance_transform},
+    {32, "instance_shared", "so are those that share their mesh, and no ray meets its own triangle again", "float128",
+     run_instance_shared},
     {33, "singular_transform", "singular instances are dropped with a warning", "metamorphic", run_singular_transform},
     {39, "white_furnace", "clear glass is not seen in a white world", "conservation", run_white_furnace},
     {40, "light_trap", "light between mirrors is a geometric series", "analytic", run_light_trap},

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
+#include "shared/instance_layout.h"
 #include "verify/image_cases.h"
 #include "verify/image_scenes.h"
 #include "verify/ray_suite.h"
@@ -18,26 +20,49 @@ struct PlacedMesh {
   double corner_error;  ///< of a traced coordinate, as baking in double and rounding to float make it
 };
 
-/// Scales of 1e-1.5 to 1e1.5 per axis, every fourth time of 1e-4 to 1e4, with either sign; a shear; a move of 1e6.
-glm::dmat4 random_transform(SampleRandom& random) {
+/// Scales of 1e-1.5 to 1e1.5 per axis, every fourth time of 1e-4 to 1e4, with either sign; a shear; a move of 1e6. With
+/// the mesh in whatever position before, unless it is to be shared: along its own axes roundings do not spread.
+glm::dmat4 random_transform(SampleRandom& random, Sharing sharing) {
   const double range = random.below(4) == 0 ? 4.0 : 1.5;
   glm::dvec3 scale(random.power_of_ten(-range, range), random.power_of_ten(-range, range),
                    random.power_of_ten(-range, range));
   for (int i = 0; i < 3; ++i) scale[i] = random.below(2) == 0 ? scale[i] : -scale[i];
   glm::dmat4 shear(1.0);
   shear[1].x = random.in(-1.0, 1.0);
-  glm::dmat4 transform = rotation(random) * scaling(scale) * shear * rotation(random);
+  glm::dmat4 transform = rotation(random);
+  transform *= sharing == Sharing::always ? shear * scaling(scale) : scaling(scale) * shear * rotation(random);
   if (random.below(2) == 0) transform[3] = glm::dvec4(random.direction() * 1e6, 1.0);
   return transform;
 }
 
-PlacedMesh placed_mesh(const CaseSetup& setup, SampleRandom& random) {
+/// Bound of how far rays meet a shared mesh from where it lies: its corners are rounded in its own space, the map in
+/// its numbers, and rays that begin up to 4 away go through that (shaders/instance.glsl).
+double map_error(const PackedScene& packed) {
+  constexpr double kReach = 5.0, kRoundings = 6.0;
+  DeviceInstance instance;
+  std::memcpy(&instance, packed.instances.data() + sizeof(instance) / 4, sizeof(instance));
+  const glm::dvec4 in[3] = {instance.object_from_traced_x, instance.object_from_traced_y,
+                            instance.object_from_traced_z};
+  double most = 0.0;
+  for (const glm::dvec4 out :
+       {instance.traced_from_object_x, instance.traced_from_object_y, instance.traced_from_object_z}) {
+    double sum = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      const double size = kReach * (std::abs(in[i].x) + std::abs(in[i].y) + std::abs(in[i].z)) + std::abs(in[i].w);
+      sum += std::abs(out[i]) * (1.0 + kRoundings * size) * 0x1p-24;
+    }
+    most = std::max(most, sum);
+  }
+  return most;
+}
+
+PlacedMesh placed_mesh(const CaseSetup& setup, SampleRandom& random, Sharing sharing) {
   using LongMatrix = glm::mat<4, 4, long double>;
   Scene scene;
   const VerifyMesh mesh = sphere_mesh(8, 6, 0.8, 1.0, random);
-  const glm::dmat4 transform = random_transform(random);
+  const glm::dmat4 transform = random_transform(random, sharing);
   add_object(scene, mesh, matte(glm::vec3(1.0f)), transform);
-  PackedScene packed = pack_scene(scene, 0);
+  PackedScene packed = pack_scene(scene, 0, BuildMethod::standard, {}, sharing);
   const TracedSpace space = packed.space;
   const auto traced = [&](std::uint32_t i) {
     const auto world = LongMatrix(transform) * glm::vec<4, long double>(glm::vec<3, long double>(mesh.positions[i]), 1);
@@ -47,7 +72,8 @@ PlacedMesh placed_mesh(const CaseSetup& setup, SampleRandom& random) {
   for (const glm::uvec3& t : mesh.triangles) corners.push_back({traced(t.x), traced(t.y), traced(t.z)});
   // Half a step of float at 1; and in double three products and four sums of up to the move's size.
   const double farthest = glm::length(glm::dvec3(transform[3])) + space.metres_per_unit;
-  const double corner_error = 0x1p-25 + 8.0 * 0x1p-53 * farthest / space.metres_per_unit;
+  double corner_error = 0x1p-25 + 8.0 * 0x1p-53 * farthest / space.metres_per_unit;
+  if (packed.bvh.instance_count > 0) corner_error += map_error(packed);
   return {RayScene(*setup.device, std::move(packed)), std::move(corners), corner_error};
 }
 
@@ -94,23 +120,20 @@ bool may_be_hit(const PlacedMesh& placed, const RayQuery& query, std::uint32_t t
   return triangle == NONE ? sure == 1e300 : least <= sure;
 }
 
-}  // namespace
-
-CaseResult run_instance_transform(const CaseSetup& setup) {
-  constexpr const char* kName = "instance_transform";
+CaseResult placed_meshes_case(const CaseSetup& setup, const char* name, Sharing sharing) {
   constexpr std::uint32_t kMeshes = 16;
   constexpr std::uint64_t kRaysPerMesh = 256;
   const std::uint64_t count = std::min<std::uint64_t>(setup.sample_count, 1u << 15);  // the oracle tests every triangle
-  SampleRandom numbers = mesh_random(setup, kName, 0);
+  SampleRandom numbers = mesh_random(setup, name, 0);
   std::vector<PlacedMesh> meshes;
-  for (std::uint32_t i = 0; i < kMeshes; ++i) meshes.push_back(placed_mesh(setup, numbers));
+  for (std::uint32_t i = 0; i < kMeshes; ++i) meshes.push_back(placed_mesh(setup, numbers, sharing));
   RayKernel kernel(setup, VERIFY_RESPAWN);
   Tally tally;
   for (std::uint64_t first = 0; first < count; first += kRaysPerMesh) {
     const PlacedMesh& placed = meshes[first / kRaysPerMesh % kMeshes];
     std::vector<RayQuery> queries;
     for (std::uint64_t i = first; i < std::min(first + kRaysPerMesh, count); ++i) {
-      SampleRandom random(setup.seed, kName, i);
+      SampleRandom random(setup.seed, name, i);
       const auto triangles = static_cast<std::uint32_t>(placed.corners.size());
       const glm::dvec3 aim = point_of(random, placed.corners[random.below(triangles)]);
       const glm::vec3 origin(aim + random.direction() * random.power_of_ten(-2.0, 0.5));
@@ -129,6 +152,16 @@ CaseResult run_instance_transform(const CaseSetup& setup) {
     }
   }
   return tally.result();
+}
+
+}  // namespace
+
+CaseResult run_instance_transform(const CaseSetup& setup) {
+  return placed_meshes_case(setup, "instance_transform", Sharing::never);
+}
+
+CaseResult run_instance_shared(const CaseSetup& setup) {
+  return placed_meshes_case(setup, "instance_shared", Sharing::always);
 }
 
 }  // namespace vernier

@@ -109,6 +109,11 @@ std::span<const Mutation> mutations() {
        kRobust,
        MUTATION_TILE_PATTERN,
        {"image_order"}},
+      {"unmapped_error",
+       "rays from shared meshes start off by the error in the mesh's space alone",
+       kRobust,
+       MUTATION_UNMAPPED_ERROR,
+       {"instance_shared"}},
   };
   return all;
 }

@@ -27,7 +27,8 @@ PackedScene packed_triangles(std::span<const BvhTriangle> triangles) {
   PackedScene packed;
   packed.bvh = build_bvh(triangles, {}, 0);
   packed.triangles.assign(4 * triangles.size(), 0);
-  packed.triangle_ids.assign(2 * triangles.size(), 0);
+  packed.first_triangles.assign(1, 0);
+  packed.steering.object_count = 1;
   packed.vertices.assign(4, 0);
   packed.materials.assign(4 * MATERIAL_TEXELS, 0);
   packed.steering.environment_texture = NONE;
@@ -96,12 +97,14 @@ DispatchConstants RayScene::constants() const {
 
 const ComputePipeline& RayKernel::pipeline_for(const RayScene& scene, std::span<const Binding> bindings) {
   const DeviceDescription& device = setup_.device->description();
-  const TraceSpecialization stack = specialize(0, scene.bvh().depth, 0, true, device);
-  const auto found = by_stack_size_.find(stack.traversal_stack);
-  if (found != by_stack_size_.end()) return found->second;
+  const TraceSpecialization stack = specialize(0, shape_of(scene.bvh()), 0, true, device);
+  const std::pair key{stack.traversal_stack, stack.instanced};
+  const auto found = by_shape_.find(key);
+  if (found != by_shape_.end()) return found->second;
   const std::vector<SpecializationValue> values{{SPECIALIZATION_EFFECTS, stack.effects},
                                                 {SPECIALIZATION_TRAVERSAL_STACK, stack.traversal_stack},
                                                 {SPECIALIZATION_SHIFT_STACK, stack.shift_stack ? 1u : 0u},
+                                                {SPECIALIZATION_INSTANCED, stack.instanced ? 1u : 0u},
                                                 {SPECIALIZATION_COUNT_COST, 1u},
                                                 {SPECIALIZATION_LEVELS, setup_.levels},
                                                 {SPECIALIZATION_MUTATION, setup_.mutation},
@@ -109,7 +112,7 @@ const ComputePipeline& RayKernel::pipeline_for(const RayScene& scene, std::span<
   const bool texels = choose_scene_loads(device) == SceneLoads::texels;
   ComputePipeline pipeline(*setup_.device, texels ? kVerifyRaysTexelsSpirv : kVerifyRaysStorageSpirv, bindings, 0,
                            values);
-  return by_stack_size_.emplace(stack.traversal_stack, std::move(pipeline)).first->second;
+  return by_shape_.emplace(key, std::move(pipeline)).first->second;
 }
 
 std::vector<RayAnswer> RayKernel::trace(const RayScene& scene, std::span<const RayQuery> queries) {

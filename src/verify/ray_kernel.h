@@ -41,7 +41,7 @@ class RayScene {
 };
 
 /// Traces rays with traverse_bvh as it is compiled for renders. Compiles once per depth of a BVH, which is the size of
-/// the traversal stack. `setup.device` outlives it.
+/// the traversal stack, with and without instances. `setup.device` outlives it.
 class RayKernel {
  public:
   /// For one of VERIFY_CLOSEST, VERIFY_ALL_HITS, VERIFY_RESPAWN, at the levels and with the mutation of `setup`.
@@ -55,7 +55,7 @@ class RayKernel {
 
   CaseSetup setup_;
   std::uint32_t function_;
-  std::map<std::uint32_t, ComputePipeline> by_stack_size_;
+  std::map<std::pair<std::uint32_t, bool>, ComputePipeline> by_shape_;  // of the BVH
 };
 
 /// Tests rays against records without a traversal (verify_triangles.comp): VERIFY_TRIANGLES against every one of them,

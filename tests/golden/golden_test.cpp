@@ -16,7 +16,11 @@
 namespace vernier::golden {
 namespace {
 
-class Golden : public DeviceTest, public testing::WithParamInterface<GoldenCase> {};
+class Golden : public DeviceTest, public testing::WithParamInterface<GoldenCase> {
+ protected:
+  // Renders the case with meshes copied or shared and judges it; files that are kept begin with `name`.
+  void match_reference(Sharing sharing, const std::string& name) const;
+};
 
 // Renders lie where they can be looked at when the test fails: in the build folder, by driver.
 std::string kept_path(const std::string& file) {
@@ -37,10 +41,10 @@ void check_recipe(const GoldenCase& golden, const CaseSetup& setup) {
   EXPECT_FALSE(recipe.at("reason").get<std::string>().empty());
 }
 
-void keep_difference(const GoldenCase& golden, const ImageFile& render, const ImageFile& expected) {
-  const std::string render_path = kept_path(golden.name + ".exr");
+void keep_difference(const std::string& name, const ImageFile& render, const ImageFile& expected) {
+  const std::string render_path = kept_path(name + ".exr");
   write_image(render_path, render, {});
-  write_image(kept_path(golden.name + ".golden.exr"), expected, {});
+  write_image(kept_path(name + ".golden.exr"), expected, {});
   const FlipError error = flip(color_of(expected), color_of(render));
   const ImageFile map{.width = error.width,
                       .height = error.height,
@@ -48,20 +52,21 @@ void keep_difference(const GoldenCase& golden, const ImageFile& render, const Im
                       .full_height = error.height,
                       .layers = {{"", {"Y"}, error.map}},
                       .metadata = {}};
-  write_image(kept_path(golden.name + ".flip.exr"), map, {});
+  write_image(kept_path(name + ".flip.exr"), map, {});
   std::cout << "kept: " << render_path << " with .golden.exr, .flip.exr and .png beside it\n";
 }
 
-TEST_P(Golden, MatchesTheReference) {
+void Golden::match_reference(Sharing sharing, const std::string& name) const {
   const GoldenCase& golden = GetParam();
   CaseSetup setup = set_up_case(golden);
   check_recipe(golden, setup);
   setup.settings.aovs = {"object_id", "primitive_id"};
+  setup.settings.sharing = sharing;
   const ImageFile render = render_image(device(), setup.scene.scene, setup.scene.camera, setup.settings, {}).image;
   const ImageFile expected = read_image(golden_path("images/" + golden.name + ".exr"));
   ASSERT_EQ(render.width, expected.width);
   ASSERT_EQ(render.height, expected.height);
-  const std::string shown = kept_path(golden.name + ".png");
+  const std::string shown = kept_path(name + ".png");
   write_image(shown,
               {.width = render.width,
                .height = render.height,
@@ -79,12 +84,20 @@ TEST_P(Golden, MatchesTheReference) {
                                            compare_display(shown_color, expected, golden.display)};
   std::string faults, surprises;
   for (std::size_t i = 0; i < tiers.size(); ++i) {
-    std::cout << golden.name << ": " << tiers[i].figures << "\n";
+    std::cout << name << ": " << tiers[i].figures << "\n";
     faults += tiers[i].faults;
     surprises += unexpected(golden.name, std::string(1, "ABC"[i]), tiers[i].faults);
   }
-  if (!faults.empty()) keep_difference(golden, render, expected);
+  if (!faults.empty()) keep_difference(name, render, expected);
   EXPECT_EQ(surprises, "");
+}
+
+TEST_P(Golden, MatchesTheReference) {
+  match_reference(Sharing::automatic, GetParam().name);
+}
+
+TEST_P(Golden, MatchesItWithMeshesShared) {
+  match_reference(Sharing::always, GetParam().name + ".shared");
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, Golden, testing::ValuesIn(load_cases()),

@@ -4,6 +4,7 @@
 
 // Writes every field of the shared structs, by name, one word after the other.
 #include "shared/glsl.h"
+#include "shared/instance_layout.h"
 #include "shared/material_layout.h"
 #include "shared/render_constants.h"
 
@@ -14,6 +15,7 @@ layout(set = 0, binding = 1, scalar) readonly buffer Scene {
   DeviceMaterial material;
   DeviceTextureUse use;
   DeviceLight light;
+  DeviceInstance instance;
 };
 layout(set = 0, binding = 2, scalar) writeonly buffer Words { uint words[]; };
 

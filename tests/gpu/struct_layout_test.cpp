@@ -10,6 +10,7 @@
 #include "gpu/buffer.h"
 #include "gpu/compute_pipeline.h"
 #include "gpu/submission.h"
+#include "shared/instance_layout.h"
 #include "shared/material_layout.h"
 #include "shared/render_constants.h"
 
@@ -23,6 +24,7 @@ struct Scene {
   DeviceMaterial material;
   DeviceTextureUse use;
   DeviceLight light;
+  DeviceInstance instance;
 };
 
 /// A struct each of whose words is a float of its own, from `first` on.
@@ -35,7 +37,7 @@ Struct numbered(std::uint32_t first) {
 
 /// What struct_layout.comp writes, by the same names.
 std::vector<std::uint32_t> fields_on_host(const RenderConstants& render, const Scene& scene) {
-  const auto& [dispatch, material, use, light] = scene;
+  const auto& [dispatch, material, use, light, instance] = scene;
   std::vector<std::uint32_t> words;
 #define WORD(field) words.push_back(field);
 #define NUMBER(field) words.push_back(std::bit_cast<std::uint32_t>(field));

@@ -12,7 +12,7 @@ inline std::vector<std::uint32_t> traced_film(const Device& device, const Packed
   GpuScene scene(device, packed, loads);
   scene.set_constants(device, packed.constants, packed.steering);
   const TraceSpecialization specialization =
-      specialize(effects, packed.bvh.depth, settings.max_bounces, false, device.description());
+      specialize(effects, shape_of(packed.bvh), settings.max_bounces, false, device.description());
   Film film(device, settings.crop.value_or(PixelRect{0, 0, settings.width, settings.height}), false);
   FilmTracer(device, scene, loads, specialization, settings, film).trace({});
   return film.read_sums(device);

@@ -30,7 +30,7 @@ std::vector<CaseAtLevel> all_cases() {
 /// Cases of kImageCases that render; the others trace rays alone.
 bool is_picture(const VerifyCase& one) {
   const std::string_view name = one.name;
-  return is_image_case(name) && name != "millions" && name != "instance_transform";
+  return is_image_case(name) && name != "millions" && name != "instance_transform" && name != "instance_shared";
 }
 
 class NumericsTest : public DeviceTest, public testing::WithParamInterface<CaseAtLevel> {};

@@ -14,8 +14,8 @@ namespace vernier::shader {
 struct Memory {
   RenderConstants render{};
   DispatchConstants dispatch{};
-  std::vector<glm::uvec4> records, triangles, vertices, materials, lights, textures, paths, samples;
-  std::vector<std::uint32_t> texels, triangle_ids, film, counters, aovs, pixels;
+  std::vector<glm::uvec4> records, triangles, vertices, materials, lights, textures, paths, samples, instances;
+  std::vector<std::uint32_t> texels, first_triangles, film, counters, aovs, pixels;
 };
 
 /// The memory the running thread's shader functions read and write. The test owns it.
@@ -60,7 +60,8 @@ inline Memory memory_of(const PackedScene& packed) {
   filled.lights = texels_of(packed.lights);
   filled.textures = texels_of(packed.textures);
   filled.texels = packed.texels;
-  filled.triangle_ids = packed.triangle_ids;
+  filled.first_triangles = packed.first_triangles;
+  filled.instances = texels_of(packed.instances);
   filled.counters.assign(COUNTER_COUNT, 0u);
   return filled;
 }

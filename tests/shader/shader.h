@@ -63,6 +63,7 @@ uint PATH_STACK_SIZE = 18u;
 bool COUNT_COST = false;
 bool COUNT_EFFECTS = false;
 bool LISTED_PIXELS = false;
+bool INSTANCED = false;
 uint LEVELS = LEVELS_OF(LEVEL_ROBUST);
 uint MUTATION = MUTATION_NONE;
 bool effect_on(uint effect) {
@@ -108,8 +109,11 @@ uvec4 load_texture(uint i) {
 uint load_texel(uint i) {
   return memory->texels.at(i);
 }
-uint load_triangle_id(uint i) {
-  return memory->triangle_ids.at(i);
+uint load_first_triangle(uint i) {
+  return memory->first_triangles.at(i);
+}
+uvec4 load_instance(uint i) {
+  return memory->instances.at(i);
 }
 uvec4 load_film(uint i) {
   return {memory->film.at(4 * i), memory->film.at(4 * i + 1), memory->film.at(4 * i + 2), memory->film.at(4 * i + 3)};

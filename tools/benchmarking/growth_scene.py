@@ -1,6 +1,7 @@
 """Scenes of any size as binary glTF: 25 bumpy spheres of plastic, mirror and glass on a waved ground, by numpy."""
 
 import json
+import math
 import pathlib
 import struct
 
@@ -94,6 +95,15 @@ class Writer:
         self.document["scenes"][0]["nodes"].append(len(self.document["nodes"]))
         self.document["nodes"].append({"mesh": mesh, "translation": list(place)})
 
+    def add_instances(self, mesh: int, places: numpy.ndarray, turns: numpy.ndarray, sizes: numpy.ndarray) -> None:
+        """`mesh` at many places in one node, each turned by a unit quaternion and scaled (EXT_mesh_gpu_instancing)."""
+        attributes = {"TRANSLATION": self.add_accessor(places, "VEC3", FLOAT), "ROTATION": self.add_accessor(turns, "VEC4", FLOAT),
+                      "SCALE": self.add_accessor(numpy.repeat(sizes[:, None], 3, 1), "VEC3", FLOAT)}
+        self.document["scenes"][0]["nodes"].append(len(self.document["nodes"]))
+        self.document["nodes"].append({"mesh": mesh, "extensions": {"EXT_mesh_gpu_instancing": {"attributes": attributes}}})
+        if "EXT_mesh_gpu_instancing" not in self.document["extensionsUsed"]:
+            self.document["extensionsUsed"].append("EXT_mesh_gpu_instancing")
+
     def add_textures(self, count: int) -> None:
         """Gives every material textures in its first `count` slots."""
         images = [pictures.checker((230, 200, 180), (90, 110, 140)), pictures.checker((255, 220, 0), (255, 120, 0)),
@@ -117,17 +127,26 @@ class Writer:
             file.writelines(self.parts)
 
 
-def write_scene(path: pathlib.Path, triangle_count: int, texture_count: int = 0, glass: bool = True) -> None:
-    """About `triangle_count` triangles, with `texture_count` textures per material (0 to 4)."""
-    # A sphere has 4 rows (rows - 1) triangles.
-    rows = max(2, round(((1.0 - GROUND_SHARE) * triangle_count / GRID**2 / 4.0) ** 0.5 + 0.5))
-    cells = max(2, round((GROUND_SHARE * triangle_count / 2.0) ** 0.5))
-    writer = Writer()
+def rows_of(triangle_count: float) -> int:
+    """Rows of a sphere of about so many triangles: 4 rows (rows - 1)."""
+    return max(2, round((triangle_count / 4.0) ** 0.5 + 0.5))
+
+
+def add_materials(writer: Writer, glass: bool = True) -> None:
+    """Those of the ground, of plastic, of a mirror and of glass."""
     clear = {"KHR_materials_transmission": {"transmissionFactor": 1.0}, "KHR_materials_ior": {"ior": 1.5}} if glass else {}
     for color, metallic, roughness, extensions in (((0.6, 0.6, 0.55, 1.0), 0.0, 1.0, {}), ((0.8, 0.25, 0.2, 1.0), 0.0, 0.5, {}),
                                                    ((0.9, 0.9, 0.9, 1.0), 1.0, 0.0, {}), ((1.0, 1.0, 1.0, 1.0), 0.0, 0.0, clear)):
         writer.document["materials"].append({"pbrMetallicRoughness": {
             "baseColorFactor": list(color), "metallicFactor": metallic, "roughnessFactor": roughness}, "extensions": extensions})
+
+
+def write_scene(path: pathlib.Path, triangle_count: int, texture_count: int = 0, glass: bool = True) -> None:
+    """About `triangle_count` triangles, with `texture_count` textures per material (0 to 4)."""
+    rows = rows_of((1.0 - GROUND_SHARE) * triangle_count / GRID**2)
+    cells = max(2, round((GROUND_SHARE * triangle_count / 2.0) ** 0.5))
+    writer = Writer()
+    add_materials(writer, glass)
     writer.add_node(writer.add_mesh(waved_ground(cells), [0])[0])
     # A shape of its own for each sphere: nothing is shared, so memory grows as in a scene that has no repeats.
     for index in range(GRID * GRID):
@@ -136,4 +155,25 @@ def write_scene(path: pathlib.Path, triangle_count: int, texture_count: int = 0,
         writer.add_node(mesh, (SPACING * (column - GRID // 2), 0.0, SPACING * (row - GRID // 2)))
     if texture_count:
         writer.add_textures(texture_count)
+    writer.write(path)
+
+
+def write_instances(path: pathlib.Path, mesh_triangles: int, instance_count: int) -> None:
+    """One sphere of about `mesh_triangles` triangles in three materials at `instance_count` places in all, turned and scaled."""
+    writer = Writer()
+    add_materials(writer)
+    side = math.ceil(instance_count ** 0.5)
+    positions, triangles, uv = waved_ground(8)
+    writer.add_node(writer.add_mesh((positions * [side * SPACING / GROUND_HALF_WIDTH, 1.0, side * SPACING / GROUND_HALF_WIDTH],
+                                     triangles, uv), [0])[0])
+    random = numpy.random.default_rng(1)
+    index = numpy.arange(instance_count)
+    places = numpy.stack([SPACING * (index % side - (side - 1) / 2), numpy.zeros(instance_count), SPACING * (index // side - (side - 1) / 2)], 1)
+    turns = random.normal(size=(instance_count, 4))
+    turns /= numpy.linalg.norm(turns, axis=1, keepdims=True)
+    sizes = random.uniform(0.7, 1.0, instance_count)
+    for kind, mesh in enumerate(writer.add_mesh(bumpy_sphere(rows_of(mesh_triangles)), [1, 2, 3])):
+        chosen = index % 3 == kind
+        if chosen.any():
+            writer.add_instances(mesh, places[chosen], turns[chosen], sizes[chosen])
     writer.write(path)

@@ -46,12 +46,26 @@ TEST(MemoryNeed, the_device_takes_no_more_and_little_less) {
   const Scene scene = grid_scene(50, 3);
   const PackedScene packed = pack_scene(scene, 1);
   const std::uint64_t taken = bytes_of(packed.bvh.records) + bytes_of(packed.triangles) +
-                              bytes_of(packed.triangle_ids) + bytes_of(packed.vertices);
+                              bytes_of(packed.first_triangles) + bytes_of(packed.vertices);
   const MemoryNeed need = memory_need(scene);
   EXPECT_EQ(need.triangles, 15000u);
   EXPECT_GE(need.device_bytes, taken);
   EXPECT_LE(need.device_bytes, taken + taken / 5);
   EXPECT_GT(need.host_bytes, need.device_bytes);
+}
+
+TEST(MemoryNeed, of_shared_meshes_that_of_one) {
+  const Scene scene = grid_scene(50, 40);
+  const PackedScene packed = pack_scene(scene, 1, BuildMethod::standard, {}, Sharing::always);
+  const std::uint64_t taken = bytes_of(packed.bvh.records) + bytes_of(packed.triangles) +
+                              bytes_of(packed.first_triangles) + bytes_of(packed.vertices) + bytes_of(packed.instances);
+  const MemoryNeed need = memory_need(scene, Sharing::always);
+  EXPECT_EQ(need.triangles, 200000u);
+  EXPECT_EQ(need.stored_triangles, 5000u);
+  EXPECT_GE(need.device_bytes, taken);
+  EXPECT_LE(need.device_bytes, taken + taken / 5);
+  EXPECT_EQ(packed.triangle_count, 200000u);
+  EXPECT_EQ(packed.traced_triangles, 200000u);
 }
 
 TEST(MemoryNeed, shared_texels_count_once) {
@@ -64,7 +78,8 @@ TEST(MemoryNeed, shared_texels_count_once) {
 }
 
 TEST(MemoryNeed, more_than_there_is_is_refused_with_both_numbers) {
-  const MemoryNeed need{.triangles = 7, .host_bytes = 3'000'000'000, .device_bytes = 1'000'000'000};
+  const MemoryNeed need{
+      .triangles = 7, .stored_triangles = 7, .host_bytes = 3'000'000'000, .device_bytes = 1'000'000'000};
   const auto refusal = [&](const MemoryThere& there) -> std::string {
     try {
       check_memory("big.glb", need, there);
@@ -86,12 +101,28 @@ TEST(MemoryNeed, more_than_there_is_is_refused_with_both_numbers) {
 }
 
 TEST(MemoryNeed, the_text_has_what_is_known) {
-  const MemoryNeed need{.triangles = 7, .host_bytes = 3'000'000'000, .device_bytes = 1'000'000'000};
+  const MemoryNeed need{
+      .triangles = 7, .stored_triangles = 7, .host_bytes = 3'000'000'000, .device_bytes = 1'000'000'000};
   EXPECT_EQ(memory_text(need, {.host_bytes = 8'000'000'000, .device_bytes = 9'000'000'000}),
             "memory: at most 3.0 GB of the host's 8.0 GB, 1.0 GB of the device's 9.0 GB");
   EXPECT_EQ(memory_text(need, {.host_bytes = 8'000'000'000, .device_bytes = {}, .shared = true}),
             "memory: at most 4.0 GB of the host's 8.0 GB, 1.0 GB of them for the device");
   EXPECT_EQ(memory_text(need, {}), "memory: at most 3.0 GB of the host's, 1.0 GB of the device's");
+}
+
+TEST(MemoryNeed, what_is_shared_is_told) {
+  const MemoryNeed need{.triangles = 700, .stored_triangles = 7, .host_bytes = 3'000'000'000, .device_bytes = 1};
+  EXPECT_EQ(
+      memory_text(need, {.host_bytes = 8'000'000'000, .device_bytes = 9'000'000'000}),
+      "memory: 700 triangles, 7 of them in memory; at most 3.0 GB of the host's 8.0 GB, 0.1 GB of the device's 9.0 GB");
+  try {
+    check_memory("big.glb", need, {.host_bytes = 2'500'000'000, .device_bytes = {}});
+    ADD_FAILURE();
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "big.glb: 700 triangles (7 in memory) need 3.0 GB of the host's memory, 2.5 GB are there; "
+                 "simplify or split the model");
+  }
 }
 
 TEST(MemoryNeed, this_machine_has_some) {

@@ -14,7 +14,7 @@ DeviceDescription llvmpipe() {
 
 TEST(Specialize, the_path_stack_holds_what_can_wait) {
   const auto stack = [](std::uint32_t effects, std::uint32_t bounces) {
-    return specialize(effects, 5, bounces, false, {}).path_stack;
+    return specialize(effects, {5}, bounces, false, {}).path_stack;
   };
   constexpr std::uint32_t kBoth = EFFECT_REFLECTION | EFFECT_REFRACTION;
   EXPECT_EQ(stack(0, 8), 0u);
@@ -27,19 +27,19 @@ TEST(Specialize, the_path_stack_holds_what_can_wait) {
 }
 
 TEST(Specialize, the_traversal_stack_is_the_depth) {
-  EXPECT_EQ(specialize(0, 17, 8, false, {}).traversal_stack, 17u);
-  EXPECT_EQ(specialize(0, 0, 8, false, {}).traversal_stack, 1u);
+  EXPECT_EQ(specialize(0, {17}, 8, false, {}).traversal_stack, 17u);
+  EXPECT_EQ(specialize(0, {0}, 8, false, {}).traversal_stack, 1u);
 }
 
 TEST(Specialize, llvmpipe_shifts_shallow_stacks) {
-  EXPECT_FALSE(specialize(0, 10, 8, false, {}).shift_stack);
-  EXPECT_TRUE(specialize(0, 10, 8, false, llvmpipe()).shift_stack);
-  EXPECT_FALSE(specialize(0, 60, 8, false, llvmpipe()).shift_stack);
+  EXPECT_FALSE(specialize(0, {10}, 8, false, {}).shift_stack);
+  EXPECT_TRUE(specialize(0, {10}, 8, false, llvmpipe()).shift_stack);
+  EXPECT_FALSE(specialize(0, {60}, 8, false, llvmpipe()).shift_stack);
 }
 
 TEST(Specialize, a_form_that_is_asked_for_is_taken) {
   const auto shifts = [](TraversalForm form, std::uint32_t depth) {
-    return specialize(0, depth, 8, false, llvmpipe(), form).shift_stack;
+    return specialize(0, {depth}, 8, false, llvmpipe(), form).shift_stack;
   };
   EXPECT_FALSE(shifts(TraversalForm::texels_array, 10));
   EXPECT_TRUE(shifts(TraversalForm::storage_shifted, 10));
@@ -51,7 +51,7 @@ TEST(Specialize, a_form_that_is_asked_for_is_taken) {
 }
 
 TEST(Specialize, effects_and_cost_pass_through) {
-  const TraceSpecialization values = specialize(0x1234u, 3, 1, true, {});
+  const TraceSpecialization values = specialize(0x1234u, {3}, 1, true, {});
   EXPECT_EQ(values.effects, 0x1234u);
   EXPECT_TRUE(values.count_cost);
 }

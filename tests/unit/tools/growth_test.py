@@ -67,6 +67,21 @@ class GrowthSceneTest(unittest.TestCase):
                 held = [name for name in growth_scene.TEXTURE_SLOTS if name in material or name in material["pbrMetallicRoughness"]]
                 self.assertEqual(held, list(growth_scene.TEXTURE_SLOTS[:count]))
 
+    def test_instances_share_one_sphere_and_go_round_in_three_materials(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = pathlib.Path(folder) / "scene.glb"
+            growth_scene.write_instances(path, 1000, 10)
+            document, binary = read_glb(path)
+        spheres = [node for node in document["nodes"] if "extensions" in node]
+        attributes = [node["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] for node in spheres]
+        self.assertEqual([document["accessors"][one["TRANSLATION"]]["count"] for one in attributes], [4, 3, 3])
+        parts = [document["meshes"][node["mesh"]]["primitives"][0] for node in spheres]
+        self.assertEqual(len({part["indices"] for part in parts}), 1)
+        self.assertEqual([part["material"] for part in parts], [1, 2, 3])
+        self.assertLess(abs(document["accessors"][parts[0]["indices"]]["count"] // 3 - 1000), 130)
+        places = numpy.concatenate([rows_of(document, binary, one["TRANSLATION"]) for one in attributes])
+        self.assertEqual(len(numpy.unique(places, axis=0)), 10)
+
 
 if __name__ == "__main__":
     unittest.main()
