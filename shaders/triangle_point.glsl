@@ -74,9 +74,8 @@ void place_point(INOUT(TrianglePoint) point, IN(Ray) ray, IN(uint) instance) {
   AffineMap out_map = fetch_map(instance, INSTANCE_TRACED_FROM_OBJECT);
   uvec4 words = fetch_instance_words(instance);
   float half_ulp = HALF_ULP_OF_ONE * uintBitsToFloat(words.z);
-  if (mutated(MUTATION_UNMAPPED_ERROR)) half_ulp = 0.0f;
   vec3 within = unit_vector(cross_product(point.e1, point.e2));
-  vec3 normal = mapped_normal(in_map, within);
+  vec3 normal = mutated(MUTATION_POINT_NORMAL) ? mapped_vector(out_map, within) : mapped_normal(in_map, within);
   vec3 position = mapped_point(out_map, point.position);
   if (level_at(SPOT_POSITION) == LEVEL_FAST) position = ray.origin + ray.direction * point.t;
   vec3 place_error = mapped_bound(out_map, point.position_error) + mapped_size(out_map, point.position) * (6.0f * half_ulp);

@@ -36,7 +36,7 @@
 #define MUTATION_TILE_PATTERN 12u      // samples lie by the place in the tile, not in the image
 #define MUTATION_TIES_SKIPPED 13u      // a ray that goes on behind a hit leaves out what lies at the same t
 #define MUTATION_WORLD_ORIGIN 14u      // secondary rays start where world coordinates are rounded to float
-#define MUTATION_UNMAPPED_ERROR 15u    // rays from instances start off by the error in the object's space, not by that of the maps
+#define MUTATION_POINT_NORMAL 15u      // normals of shared meshes are mapped as points are, not by the inverse transpose
 #define MUTATION_COUNT 16u
 
 #endif

@@ -14,6 +14,8 @@
 #include "error.h"
 #include "image/write_image.h"
 #include "reference/render_reference.h"
+#include "reference/traced_scene.h"
+#include "render/memory_need.h"
 
 namespace vernier {
 namespace {
@@ -61,6 +63,8 @@ int run_reference(const ReferenceArguments& arguments) {
   const DisplayTransform display{parse_exposure(arguments.exposure)};
   check_image_output(arguments.output);
   SceneSetup setup = set_up_scene(scene_settings, static_cast<double>(settings.width) / settings.height);
+  // All instances are copied here, on purpose: nothing of the tracer's is shared.
+  check_memory(setup.scene.source, need_of_copies(setup.scene, reference::kTriangleBytes), memory_there());
   set_texture_filters(setup.scene, arguments.render);
   print_warnings(setup.scene.warnings);
   ImageFile image;

@@ -16,6 +16,10 @@ struct TracedScene {
   EnvironmentLight environment;
 };
 
+/// What a triangle of an instance takes in it: itself, its place in the order, and, of the tree with three triangles a
+/// leaf and more, a node and a half while that grows.
+inline constexpr std::uint64_t kTriangleBytes = sizeof(Triangle) + sizeof(std::uint32_t) + 3 * sizeof(BoxTreeNode) / 2;
+
 /// Prepares `scene`, which has passed validate_scene.
 TracedScene prepare_scene(const Scene& scene);
 

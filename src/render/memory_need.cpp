@@ -95,6 +95,14 @@ MemoryNeed memory_need(const Scene& scene, Sharing sharing) {
   return need;
 }
 
+MemoryNeed need_of_copies(const Scene& scene, std::uint64_t bytes_per_triangle) {
+  MemoryNeed need;
+  for (const Instance& instance : scene.instances) need.triangles += scene.meshes[instance.mesh].triangles.size();
+  need.stored_triangles = need.triangles;
+  need.host_bytes = need.triangles * bytes_per_triangle;
+  return need;
+}
+
 MemoryThere memory_there() {
   MemoryThere there;
   there.host_bytes = read_bytes("/proc/meminfo", "MemAvailable:", 1024);

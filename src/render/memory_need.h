@@ -28,6 +28,9 @@ struct MemoryThere {
 /// Of `scene`, by its counts and by what plan_instances makes of its instances.
 MemoryNeed memory_need(const Scene& scene, Sharing sharing = Sharing::automatic);
 
+/// Of a renderer on the host that copies every instance and keeps so many bytes for each of their triangles.
+MemoryNeed need_of_copies(const Scene& scene, std::uint64_t bytes_per_triangle);
+
 /// On the host: what this process may still take without swapping, as the system calls it available, or less where a
 /// control group (a container) allows less.
 MemoryThere memory_there();

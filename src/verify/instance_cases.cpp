@@ -120,6 +120,20 @@ bool may_be_hit(const PlacedMesh& placed, const RayQuery& query, std::uint32_t t
   return triangle == NONE ? sure == 1e300 : least <= sure;
 }
 
+/// Whether `normal` is that of the triangle, but for what corners that are off turn it by: their share of the least
+/// height.
+bool is_normal_of(const PlacedMesh& placed, std::uint32_t triangle, const glm::dvec3& normal) {
+  const Corners& corners = placed.corners[triangle];
+  const glm::dvec3 v0(corners[0]), v1(corners[1]), v2(corners[2]);
+  const glm::dvec3 cross = glm::cross(v1 - v0, v2 - v0);
+  const double longest = std::max({glm::length(v1 - v0), glm::length(v2 - v1), glm::length(v0 - v2)});
+  const double height = glm::length(cross) / longest;
+  // Its own rounding: two products, sums and the scaling to 1.
+  constexpr double kRounding = 8.0 * 0x1p-24;
+  const double turned = 4.0 * std::sqrt(3.0) * placed.corner_error / height + kRounding;
+  return turned > 0.5 || glm::length(glm::cross(normal, glm::normalize(cross))) <= turned;
+}
+
 CaseResult placed_meshes_case(const CaseSetup& setup, const char* name, Sharing sharing) {
   constexpr std::uint32_t kMeshes = 16;
   constexpr std::uint64_t kRaysPerMesh = 256;
@@ -143,7 +157,10 @@ CaseResult placed_meshes_case(const CaseSetup& setup, const char* name, Sharing 
     const std::vector<RayAnswer> answers = kernel.trace(placed.scene, queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
       const bool hits_itself = answers[i].triangle != NONE && answers[i].next_triangle == answers[i].triangle;
-      const bool held = answers[i].finished == 1 && !hits_itself && may_be_hit(placed, queries[i], answers[i].triangle);
+      const bool right_normal =
+          answers[i].triangle == NONE || is_normal_of(placed, answers[i].triangle, answers[i].normal);
+      const bool held = answers[i].finished == 1 && !hits_itself && right_normal &&
+                        may_be_hit(placed, queries[i], answers[i].triangle);
       tally.book(held, [&] {
         return "mesh " + std::to_string(first / kRaysPerMesh % kMeshes) + " " + ray_inputs(queries[i]) +
                " hit=" + std::to_string(answers[i].triangle) + " " + hex_floats({{"t", answers[i].t}}) +

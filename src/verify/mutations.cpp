@@ -109,10 +109,10 @@ std::span<const Mutation> mutations() {
        kRobust,
        MUTATION_TILE_PATTERN,
        {"image_order"}},
-      {"unmapped_error",
-       "rays from shared meshes start off by the error in the mesh's space alone",
+      {"point_normal",
+       "normals of shared meshes are mapped as points are",
        kRobust,
-       MUTATION_UNMAPPED_ERROR,
+       MUTATION_POINT_NORMAL,
        {"instance_shared"}},
   };
   return all;
