@@ -9,7 +9,7 @@
 #include "bvh/decode_record.h"
 #include "error.h"
 #include "shared/bvh_record.h"
-#include "unit/bvh/triangle_sets.h"
+#include "triangle_sets.h"
 
 namespace vernier {
 namespace {
