@@ -15,7 +15,7 @@ constexpr vec3 kUp(0, 0, 1);
 
 /// A place on the plane z = 0 seen from above, whose rounding nobody knows to a micrometre.
 SurfacePoint floor_at(const vec3& place, const vec3& normal = kUp) {
-  return SurfacePoint{place, vec3(1e-6f), kUp, normal, true, 0u};
+  return SurfacePoint{place, vec3(1e-6f), kUp, normal, true, 0u, 0.0f};
 }
 
 ShadingTerms matte(const vec3& diffuse) {

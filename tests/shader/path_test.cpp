@@ -33,14 +33,15 @@ Memory path_memory(uint invocations) {
 LightVisit numbered_visit(float first) {
   const auto word = [&](int i) { return static_cast<uint>(first) + static_cast<uint>(i); };
   const auto vector = [&](float i) { return vec3(first + i, first + i + 1, first + i + 2); };
-  return LightVisit(Hit(first, word(1), word(2)), word(5), Ray(vector(6), vector(9)), first + 12, word(13), first + 14,
-                    vector(15), vector(18));
+  return LightVisit(Hit(first, word(1), word(2), word(4)), word(5), Ray(vector(6), vector(9)), first + 12, word(13),
+                    first + 14, vector(15), vector(18));
 }
 
 void expect_equal(const LightVisit& a, const LightVisit& b) {
   EXPECT_EQ(a.hit.t, b.hit.t);
   EXPECT_EQ(a.hit.triangle, b.hit.triangle);
   EXPECT_EQ(a.hit.record, b.hit.record);
+  EXPECT_EQ(a.hit.instance, b.hit.instance);
   EXPECT_EQ(a.next_light, b.next_light);
   EXPECT_EQ(a.ray.origin, b.ray.origin);
   EXPECT_EQ(a.ray.direction, b.ray.direction);
@@ -54,6 +55,7 @@ void expect_equal(const LightVisit& a, const LightVisit& b) {
 TEST(Path, comes_back_as_it_was_saved_among_others) {
   constexpr uint kInvocations = 5;
   PATH_STACK_SIZE = 2;
+  INSTANCED = true;
   Memory scene = path_memory(kInvocations);
   const BoundMemory bound(scene);
   for (uint i = 0; i < kInvocations; ++i) {
@@ -84,6 +86,7 @@ TEST(Path, comes_back_as_it_was_saved_among_others) {
     EXPECT_EQ(path.waiting, 0u);
   }
   PATH_STACK_SIZE = 18;
+  INSTANCED = false;
 }
 
 TEST(Path, a_full_stack_drops_and_counts) {

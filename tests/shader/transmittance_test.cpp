@@ -34,7 +34,7 @@ LightVisit visit_along(const vec3& direction) {
 }
 
 Hit hit_at(float t, uint triangle) {
-  return Hit(t, triangle, 0u);
+  return Hit(t, triangle, 0u, INSTANCE_WORLD);
 }
 
 TEST(Transmittance, a_wall_lets_through_what_its_opacity_leaves) {
