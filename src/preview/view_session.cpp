@@ -159,6 +159,7 @@ void ViewSession::trace(const std::function<bool()>& interrupted, const std::fun
   callbacks.progress = [&](const RenderProgress& progress) { note(progress, start); };
   rays_ = total(tracer_->trace_on(position_, settings_, callbacks).rays);
   state_.rendering = state_.rendering && !is_complete();
+  if (is_finished()) ready_geometry();
 }
 
 /// After each tile.
@@ -205,11 +206,17 @@ void ViewSession::trace_coarse(const std::function<bool()>& closing) {
   geometry_ = false;
 }
 
+/// Compiles what trace_geometry needs, which llvmpipe does at the first dispatch and for a second: once a picture
+/// rests, since at the first look for what lies under the mouse a click would be lost meanwhile.
+void ViewSession::ready_geometry() {
+  if (aov_tracer_) return;
+  aov_tracer_ = std::make_unique<AovTracer>(device_, staged_.gpu_scene(), staged_.loads(), specialization_, *film_);
+  aov_tracer_->trace({0, 0, 1, 1});
+}
+
 void ViewSession::trace_geometry() {
   if (geometry_ || picture_size_.x == 0) return;
-  if (!aov_tracer_) {
-    aov_tracer_ = std::make_unique<AovTracer>(device_, staged_.gpu_scene(), staged_.loads(), specialization_, *film_);
-  }
+  ready_geometry();
   aov_tracer_->trace({0, 0, picture_size_.x, picture_size_.y});
   geometry_ = true;
 }
