@@ -29,9 +29,13 @@ def gltf(nodes, corners, uvs=None):
                        "buffers": [{"byteLength": offset, "uri": "data:application/octet-stream;base64," + data}]})
 
 
-def instanced(places, corners):
+# So strong that instances are copied (src/render/plan_instances.h).
+SHEAR = [1, 0, 0, 0, 100, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
+
+
+def instanced(places, corners, **moved):
     """A mesh at many places, both of accessors without data: text of a few hundred bytes for any number of them."""
-    node = {"mesh": 0, "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 1}}}}
+    node = {"mesh": 0, **moved, "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 1}}}}
     accessors = [{"componentType": 5126, "count": count, "type": "VEC3"} for count in (corners, places)]
     return json.dumps({"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_mesh_gpu_instancing"], "scene": 0,
                        "scenes": [{"nodes": [0]}], "nodes": [node], "accessors": accessors,
@@ -64,7 +68,7 @@ class SickInputTest(ProgramTest):
                                 "and 2 more: triangles with a non-finite corner are dropped")
 
     def test_more_than_memory_holds_is_refused_before_it_is_taken(self):
-        self.write("many.gltf", instanced(places=60_000, corners=99_999))  # 2 000 000 000 triangles
+        self.write("many.gltf", instanced(places=60_000, corners=99_999, matrix=SHEAR))  # 2 000 000 000 triangles
         self.check_error(REFUSED, "of the host's memory", "render", "many.gltf", "-o", "out.png", *VIEW)
         self.write("places.gltf", instanced(places=400_000_000, corners=3))
         self.check_error(REFUSED, "400000000 elements are more than", "render", "places.gltf", "-o", "out.png", *VIEW)

@@ -16,16 +16,19 @@ def is_alarm(color):
 
 class SettingsTest(WindowTest):
     def save_as(self, view, name):
-        view.click("File")
-        self.screen.user("key", "ctrl+a")
-        time.sleep(0.3)
-        self.screen.user("type", "--delay", "30", name)
-        self.screen.key("Return")
-        view.click("Save")
-        end = time.monotonic() + 20.0
-        while not (self.folder / name).exists() and time.monotonic() < end:
-            time.sleep(0.1)
-        self.assertTrue((self.folder / name).exists(), f"{name} is not written; {view.state()}")
+        for _ in range(3):  # a machine with other work may lose a key
+            view.click("File")
+            self.screen.key("ctrl+a")
+            time.sleep(0.3)
+            self.screen.user("type", "--delay", "30", name)
+            self.screen.key("Return")
+            view.click("Save")
+            end = time.monotonic() + 20.0
+            while not (self.folder / name).exists() and time.monotonic() < end:
+                time.sleep(0.1)
+            if (self.folder / name).exists():
+                return
+        self.fail(f"{name} is not written; {view.state()}")
 
     def render(self, view):
         view.click("Render")
@@ -87,7 +90,7 @@ class SettingsTest(WindowTest):
         # And another one opens in its place.
         view.click("Open")
         view.click("Path")
-        self.screen.user("key", "ctrl+a")
+        self.screen.key("ctrl+a")
         time.sleep(0.3)
         self.screen.user("type", "--delay", "30", str(SCENES / "mirror_pair.glb"))
         self.screen.key("Return")
