@@ -86,7 +86,7 @@ void Golden::match_reference(Sharing sharing, const std::string& name) const {
   for (std::size_t i = 0; i < tiers.size(); ++i) {
     std::cout << name << ": " << tiers[i].figures << "\n";
     faults += tiers[i].faults;
-    surprises += unexpected(golden.name, std::string(1, "ABC"[i]), tiers[i].faults);
+    surprises += unexpected(name, std::string(1, "ABC"[i]), tiers[i].faults);
   }
   if (!faults.empty()) keep_difference(name, render, expected);
   EXPECT_EQ(surprises, "");
