@@ -60,7 +60,7 @@ ViewSession::ViewSession(const Device& device, ViewedScene viewed, const RenderS
   prepare(settings);
 }
 
-/// Effects, film and tracer of `settings`; all of them or none.
+/// Effects, film and tracers of `settings`; all of them or none.
 void ViewSession::prepare(const RenderSettings& settings) {
   const EffectSet automatic =
       detect_effects(viewed_.scene, camera_, static_cast<int>(settings.max_bounces), settings.cutoff);
@@ -73,11 +73,15 @@ void ViewSession::prepare(const RenderSettings& settings) {
   scheduled.dispatch_ms = std::min(settings.dispatch_ms, kLongestDispatchMs);
   auto tracer =
       std::make_unique<FilmTracer>(device_, staged_.gpu_scene(), staged_.loads(), specialization, scheduled, *film);
+  auto aov_tracer = std::make_unique<AovTracer>(device_, staged_.gpu_scene(), staged_.loads(), specialization, *film);
+  // llvmpipe compiles at the first dispatch, for up to a second: at the first look for what lies under the mouse, a
+  // click would begin and end unseen meanwhile.
+  aov_tracer->trace({0, 0, 1, 1});
   effects_ = effects;
   automatic_ = automatic;
   specialization_ = specialization;
   settings_ = settings;
-  aov_tracer_.reset();
+  aov_tracer_ = std::move(aov_tracer);
   tracer_ = std::move(tracer);
   rays_ = 0;
   film_ = std::move(film);
@@ -159,7 +163,6 @@ void ViewSession::trace(const std::function<bool()>& interrupted, const std::fun
   callbacks.progress = [&](const RenderProgress& progress) { note(progress, start); };
   rays_ = total(tracer_->trace_on(position_, settings_, callbacks).rays);
   state_.rendering = state_.rendering && !is_complete();
-  if (is_finished()) ready_geometry();
 }
 
 /// After each tile.
@@ -206,17 +209,8 @@ void ViewSession::trace_coarse(const std::function<bool()>& closing) {
   geometry_ = false;
 }
 
-/// Compiles what trace_geometry needs, which llvmpipe does at the first dispatch and for a second: once a picture
-/// rests, since at the first look for what lies under the mouse a click would be lost meanwhile.
-void ViewSession::ready_geometry() {
-  if (aov_tracer_) return;
-  aov_tracer_ = std::make_unique<AovTracer>(device_, staged_.gpu_scene(), staged_.loads(), specialization_, *film_);
-  aov_tracer_->trace({0, 0, 1, 1});
-}
-
 void ViewSession::trace_geometry() {
   if (geometry_ || picture_size_.x == 0) return;
-  ready_geometry();
   aov_tracer_->trace({0, 0, picture_size_.x, picture_size_.y});
   geometry_ = true;
 }

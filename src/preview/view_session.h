@@ -106,7 +106,6 @@ class ViewSession {
     double samples = 0.0;
   };
   void note(const RenderProgress& progress, const TraceStart& start);
-  void ready_geometry();
   std::uint32_t goal() const;
   /// The settings with the depth that the effects need.
   RenderSettings needed(RenderSettings settings) const;

@@ -42,6 +42,7 @@ class SharedMeshKernelTest : public DeviceTest {
   Camera camera_ = test::camera_at(3.5);
 };
 
+/// Values that differ by more than the project allows of a pixel against the reference (goldens.json, tier B).
 int different(const std::vector<float>& a, const std::vector<float>& b) {
   int count = 0;
   for (std::size_t i = 0; i < a.size(); ++i) count += std::abs(a[i] - b[i]) > 1e-4f * std::max(1.0f, b[i]) ? 1 : 0;

@@ -81,6 +81,19 @@ struct Packed {
       : packed(pack_scene(scene, 1, BuildMethod::standard, {}, sharing)), memory(memory_of(packed)) {}
 };
 
+/// A scene with its meshes copied and with them shared, which the kernels see while it lives.
+struct SharedScene {
+  Scene scene;
+  Packed copied, shared;
+  BoundMemory memory;
+  InstancedKernel kernel;
+  SharedScene(int count, double decades)
+      : scene(placed_scene(count, decades)),
+        copied(scene, Sharing::never),
+        shared(scene, Sharing::always),
+        memory(shared.memory) {}
+};
+
 /// From around the scene at one of its triangles.
 Ray aimed_ray(RandomValues& random, const PackedScene& copied) {
   std::uint32_t index;
@@ -101,6 +114,22 @@ Found closest(const Ray& ray) {
   const Found found = traverse_bvh(Search(ray, 0.0f, NONE, LARGEST_FLOAT, false));
   EXPECT_TRUE(found.finished);
   return found;
+}
+
+// A vector that is made perpendicular to another and unit again turns with it, and may turn twice as far where they are
+// within 30 degrees; the bent normal is the sum of three such.
+constexpr float kFrameTurns = 6.0f;
+
+/// How far apart along the normal a ray may meet a copy and the shared mesh: by the bounds of both places, and by the
+/// copy's corners, which are rounded once, half an ulp of 1 along each axis.
+float apart_along_normal(const SurfacePoint& copy, const SurfacePoint& shared) {
+  return dot_product(abs(copy.geometric_normal), copy.position_error + shared.position_error + vec3(HALF_ULP_OF_ONE));
+}
+
+/// The same across the ray, `distance` from its origin: both searches move corners in the ray's frame by 10 roundings
+/// of that (shaders/intersect_box.glsl, SLAB_ROUNDINGS).
+float apart_across_ray(float distance) {
+  return 2.0f * SLAB_ROUNDINGS * HALF_ULP_OF_ONE * distance;
 }
 
 TEST(Instance, rays_meet_what_they_meet_in_the_copies) {
@@ -124,9 +153,6 @@ TEST(Instance, rays_meet_what_they_meet_in_the_copies) {
     const Hit hit = closest(ray).hit;
     hits += hit.triangle != NONE ? 1 : 0;
     others += hit.triangle != expected.triangle ? 1 : 0;
-    if (hit.triangle == expected.triangle && hit.triangle != NONE) {
-      EXPECT_NEAR(hit.t, expected.t, 1e-4f * expected.t) << i;
-    }
   }
   EXPECT_GT(hits, 3900);
   EXPECT_LE(others, 8);  // at edges
@@ -162,31 +188,43 @@ TEST(Instance, the_surface_is_that_of_the_copy) {
     const TrianglePoint point = triangle_point(ray, hit);
     const SurfacePoint surface = surface_point(point, bumpy, texels, ray.direction);
     ++compared;
-    // Along the surface what a grazing ray makes of rounding.
     const vec3 off = surface.position - expected.position;
-    EXPECT_LT(glm::length(off), 2e-5f) << i;
-    EXPECT_LT(std::abs(dot_product(off, expected.geometric_normal)), 5e-7f) << i;
-    EXPECT_GT(dot_product(surface.geometric_normal, expected.geometric_normal), 0.9999f) << i;
-    EXPECT_GT(dot_product(surface.normal, expected.normal), 0.9999f) << i;
+    const vec3 way = glm::normalize(ray.direction);
+    const float along = apart_along_normal(expected, surface);
+    const float across = apart_across_ray(glm::length(expected.position - ray.origin));
+    const float tilt = glm::length(glm::cross(surface.geometric_normal, expected.geometric_normal));
+    const float cosine = std::abs(dot_product(way, expected.geometric_normal));
+    EXPECT_LE(std::abs(dot_product(off, expected.geometric_normal)), along + tilt * glm::length(off)) << i;
+    // A ray that grazes goes far from one plane to the other.
+    EXPECT_LE(glm::length(off) * cosine, along + across) << i;
+    EXPECT_LE(std::abs(hit.t - first.t) * glm::length(ray.direction) * cosine, along + across) << i;
+    // Each corner may lie off by as much, over the least height of the triangle.
+    const float height = glm::length(glm::cross(point.e1, point.e2)) /
+                         std::max({glm::length(point.e1), glm::length(point.e2), glm::length(point.e2 - point.e1)});
+    EXPECT_LE(tilt,
+              3.0f * glm::length(expected.position_error + surface.position_error + vec3(HALF_ULP_OF_ONE)) / height)
+        << i;
+    // Normals and tangents of corners are weighed: a weight is off by the place's error over the height, and a corner's
+    // normal differs from the next one's by less than 2.
+    const float turn = 3.0f * 2.0f * (along + across) / (cosine * height);
+    EXPECT_LE(glm::length(surface.normal - expected.normal), kFrameTurns * (turn + tilt)) << i;
     EXPECT_EQ(surface.front, expected.front) << i;
     EXPECT_EQ(object_of(hit.triangle), object_of(first.triangle));
     const vec4 frame = tangent_frame(point, surface.normal, 0u);
     EXPECT_EQ(frame.w, expected_frame.w) << i;
-    EXPECT_GT(dot_product(first_three(frame), first_three(expected_frame)), 0.999f) << i;
+    EXPECT_LE(glm::length(first_three(frame) - first_three(expected_frame)), kFrameTurns * kFrameTurns * (turn + tilt))
+        << i;
   }
   EXPECT_GT(compared, 1900);
 }
 
 TEST(Instance, rays_that_go_on_do_not_meet_where_they_were) {
   for (const double decades : {0.0, 1.0, 3.0}) {
-    const Scene scene = placed_scene(16, decades);
-    Packed copied(scene, Sharing::never), shared(scene, Sharing::always);
-    const BoundMemory bound(shared.memory);
-    const InstancedKernel instanced;
+    const SharedScene bound(16, decades);
     RandomValues random(10);
     int again = 0;
     for (int i = 0; i < 4000; ++i) {
-      const Ray ray = aimed_ray(random, copied.packed);
+      const Ray ray = aimed_ray(random, bound.copied.packed);
       const Hit hit = closest(ray).hit;
       if (hit.triangle == NONE) continue;
       const TrianglePoint point = triangle_point(ray, hit);
@@ -199,22 +237,20 @@ TEST(Instance, rays_that_go_on_do_not_meet_where_they_were) {
 }
 
 TEST(Instance, no_ray_gets_out_of_a_closed_mesh) {
-  Scene scene = placed_scene(12, 1.0);
-  Packed copied(scene, Sharing::never), shared(scene, Sharing::always);
-  const BoundMemory bound(shared.memory);
-  const InstancedKernel instanced;
+  const SharedScene bound(12, 1.0);
   RandomValues random(11);
   int out = 0;
   for (int i = 0; i < 6000; ++i) {
-    const Instance& instance = scene.instances[1 + random.word() % 12];
-    const Mesh& mesh = scene.meshes[instance.mesh];
+    const Instance& instance = bound.scene.instances[1 + random.word() % 12];
+    const Mesh& mesh = bound.scene.meshes[instance.mesh];
     const glm::uvec3 triangle = mesh.triangles[random.word() % mesh.triangles.size()];
     const double along = i % 2 == 0 ? 0.0 : random.uniform(0, 1);
     const glm::dvec3 at =
         glm::mix(glm::dvec3(mesh.positions[triangle.x]), glm::dvec3(mesh.positions[triangle.y]), along);
     const glm::dvec3 center = instance.mesh == 2 ? glm::dvec3(100, -7, 30) : glm::dvec3(0);
     const auto traced = [&](const glm::dvec3& p) {
-      return vec3(traced_from_world(shared.packed.space, glm::dvec3(instance.world_from_object * glm::dvec4(p, 1.0))));
+      return vec3(
+          traced_from_world(bound.shared.packed.space, glm::dvec3(instance.world_from_object * glm::dvec4(p, 1.0))));
     };
     const vec3 origin = traced(center + glm::dvec3(random.in_cube()) * 0.2);
     out += closest(Ray(origin, traced(at) - origin)).hit.triangle == NONE ? 1 : 0;
@@ -223,26 +259,20 @@ TEST(Instance, no_ray_gets_out_of_a_closed_mesh) {
 }
 
 TEST(Instance, any_hit_ends_at_an_opaque_triangle_in_whatever_tree) {
-  const Scene scene = placed_scene(24, 0.7);
-  Packed copied(scene, Sharing::never), shared(scene, Sharing::always);
-  const BoundMemory bound(shared.memory);
-  const InstancedKernel instanced;
+  const SharedScene bound(24, 0.7);
   RandomValues random(12);
   for (int i = 0; i < 2000; ++i) {
-    const Ray ray = aimed_ray(random, copied.packed);
+    const Ray ray = aimed_ray(random, bound.copied.packed);
     const bool any = traverse_bvh(Search(ray, 0.0f, NONE, LARGEST_FLOAT, true)).hit.triangle != NONE;
     EXPECT_EQ(any, closest(ray).hit.triangle != NONE) << i;
   }
 }
 
 TEST(Instance, hits_come_one_after_the_other) {
-  const Scene scene = placed_scene(12, 0.3);
-  Packed copied(scene, Sharing::never), shared(scene, Sharing::always);
-  const BoundMemory bound(shared.memory);
-  const InstancedKernel instanced;
+  const SharedScene bound(12, 0.3);
   RandomValues random(13);
   for (int i = 0; i < 300; ++i) {
-    const Ray ray = aimed_ray(random, copied.packed);
+    const Ray ray = aimed_ray(random, bound.copied.packed);
     Hit before = closest(ray).hit;
     while (before.triangle != NONE) {
       const Hit next = traverse_bvh(Search(ray, before.t, before.triangle, LARGEST_FLOAT, false)).hit;

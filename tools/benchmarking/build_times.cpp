@@ -10,44 +10,17 @@
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
-#include <fstream>
 #include <functional>
-#include <glm/glm.hpp>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "bvh/build_bvh.h"
+#include "raw_mesh.h"
 
 namespace {
 
-struct RawMesh {
-  std::vector<glm::vec3> positions;
-  std::vector<glm::uvec3> corners;
-};
-
-RawMesh read_mesh(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::uint32_t counts[2] = {};
-  file.read(reinterpret_cast<char*>(counts), sizeof counts);
-  RawMesh mesh;
-  mesh.positions.resize(counts[0]);
-  mesh.corners.resize(counts[1]);
-  file.read(reinterpret_cast<char*>(mesh.positions.data()), static_cast<std::streamsize>(sizeof(glm::vec3) * counts[0]));
-  file.read(reinterpret_cast<char*>(mesh.corners.data()), static_cast<std::streamsize>(sizeof(glm::uvec3) * counts[1]));
-  if (!file) throw std::runtime_error(path + ": is cut off");
-  return mesh;
-}
-
-std::vector<vernier::BvhTriangle> triangles_of(const RawMesh& mesh) {
-  std::vector<vernier::BvhTriangle> triangles;
-  triangles.reserve(mesh.corners.size());
-  for (const glm::uvec3& corner : mesh.corners) {
-    const auto id = static_cast<std::uint32_t>(triangles.size());
-    triangles.push_back({mesh.positions[corner.x], mesh.positions[corner.y], mesh.positions[corner.z], id});
-  }
-  return triangles;
-}
+using vernier::RawMesh;
 
 struct Time {
   double wall_ms;
@@ -108,7 +81,7 @@ void print_times(const std::vector<Builder>& builders, std::size_t triangle_coun
 }
 
 void measure(const std::string& path, int round_count, unsigned thread_count) {
-  RawMesh mesh = read_mesh(path);
+  RawMesh mesh = vernier::read_mesh(path);
   mesh.positions.reserve(mesh.positions.size() + 1);
   const std::vector<vernier::BvhTriangle> triangles = triangles_of(mesh);
   const RTCDevice device = rtcNewDevice(("threads=" + std::to_string(thread_count)).c_str());

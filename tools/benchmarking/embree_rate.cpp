@@ -3,8 +3,6 @@
 // Prints one JSON object. MESH: two uint32 counts, float32 positions, uint32 corners.
 #include <embree3/rtcore.h>
 
-#include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <cstdint>
@@ -15,8 +13,9 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
-#include <thread>
 #include <vector>
+
+#include "on_all_threads.h"
 
 namespace {
 
@@ -43,7 +42,6 @@ struct View {
 };
 
 constexpr std::size_t kTile = 8;      // pixels a side: neighbours in the picture follow one another
-constexpr std::size_t kChunk = 4096;  // rays that a thread takes at once
 
 RTCRay ray_of(Vector origin, Vector direction, float far) {
   RTCRay ray{};
@@ -113,16 +111,7 @@ Rate rate(std::size_t count, unsigned thread_count, double seconds, const Trace&
   double passed = 0.0;
   std::size_t passes = 0;
   while (passed < seconds) {
-    std::atomic<std::size_t> next = 0;
-    const auto work = [&] {
-      for (std::size_t first; (first = next.fetch_add(kChunk)) < count;) {
-        for (std::size_t i = first; i < std::min(first + kChunk, count); ++i) trace(i);
-      }
-    };
-    std::vector<std::jthread> threads;
-    for (unsigned i = 1; i < thread_count; ++i) threads.emplace_back(work);
-    work();
-    threads.clear();
+    on_all_threads(count, thread_count, trace);
     ++passes;
     passed = std::chrono::duration<double>(Clock::now() - start).count();
   }

@@ -1,17 +1,13 @@
-#include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <ctime>
 #include <stdexcept>
 #include <string>
-#include <thread>
 
+#include "../on_all_threads.h"
 #include "tracers.h"
 
 namespace vernier {
 namespace {
-
-constexpr std::size_t kChunk = 4096;  // rays that a thread takes at once
 
 RTCRay embree_ray(const RatedRay& ray) {
   RTCRay out{};
@@ -34,20 +30,6 @@ RTCRayHit intersect(RTCScene scene, const RatedRay& ray) {
   rtcInitIntersectContext(&context);
   rtcIntersect1(scene, &context, &hit);
   return hit;
-}
-
-/// Calls trace(i) for all i below `count` on all threads.
-template <typename Trace>
-void on_all_threads(std::size_t count, unsigned thread_count, const Trace& trace) {
-  std::atomic<std::size_t> next = 0;
-  const auto work = [&] {
-    for (std::size_t first; (first = next.fetch_add(kChunk)) < count;) {
-      for (std::size_t i = first; i < std::min(first + kChunk, count); ++i) trace(i);
-    }
-  };
-  std::vector<std::jthread> threads;
-  for (unsigned i = 1; i < thread_count; ++i) threads.emplace_back(work);
-  work();
 }
 
 void add_mesh(RTCDevice device, RTCScene scene, const RawMesh& mesh) {

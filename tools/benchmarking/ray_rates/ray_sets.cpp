@@ -1,7 +1,6 @@
 #include "ray_sets.h"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <numbers>
 #include <random>
@@ -80,20 +79,6 @@ std::vector<RatedRay> in_balanced_order(const std::vector<RatedRay>& rays) {
 }
 
 }  // namespace
-
-RawMesh read_mesh(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::uint32_t counts[2] = {};
-  file.read(reinterpret_cast<char*>(counts), sizeof counts);
-  RawMesh mesh;
-  mesh.positions.resize(counts[0]);
-  mesh.corners.resize(counts[1]);
-  file.read(reinterpret_cast<char*>(mesh.positions.data()),
-            static_cast<std::streamsize>(sizeof(glm::vec3) * counts[0]));
-  file.read(reinterpret_cast<char*>(mesh.corners.data()), static_cast<std::streamsize>(sizeof(glm::uvec3) * counts[1]));
-  if (!file) throw std::runtime_error(path + ": is cut off");
-  return mesh;
-}
 
 RaySets make_rays(const RayView& view, const std::function<SurfaceHit(const RatedRay&)>& closest_hit) {
   RaySets sets;

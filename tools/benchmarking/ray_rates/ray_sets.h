@@ -3,21 +3,12 @@
 #include <array>
 #include <functional>
 #include <glm/glm.hpp>
-#include <string>
 #include <vector>
 
+#include "../raw_mesh.h"
 #include "ray_words.h"
 
 namespace vernier {
-
-/// Triangles as a file of scene_files.write_raw_mesh has them.
-struct RawMesh {
-  std::vector<glm::vec3> positions;
-  std::vector<glm::uvec3> corners;
-};
-
-/// Reads two uint32 counts, float32 positions, uint32 corners. Throws std::runtime_error for a file that is cut off.
-RawMesh read_mesh(const std::string& path);
 
 /// Where primary rays begin, and the point light.
 struct RayView {

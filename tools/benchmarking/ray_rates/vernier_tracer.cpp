@@ -13,16 +13,6 @@
 namespace vernier {
 namespace {
 
-std::vector<BvhTriangle> triangles_of(const RawMesh& mesh) {
-  std::vector<BvhTriangle> triangles;
-  triangles.reserve(mesh.corners.size());
-  for (const glm::uvec3& corner : mesh.corners) {
-    const auto id = static_cast<std::uint32_t>(triangles.size());
-    triangles.push_back({mesh.positions[corner.x], mesh.positions[corner.y], mesh.positions[corner.z], id});
-  }
-  return triangles;
-}
-
 BufferUse texel_use(const Device& device) {
   return choose_scene_loads(device.description()) == SceneLoads::texels ? BufferUse::texels_rgba32ui
                                                                         : BufferUse::storage;
@@ -70,7 +60,7 @@ std::vector<Binding> VernierTracer::bindings_with(const Buffer& rays) const {
 }
 
 ComputePipeline VernierTracer::make_pipeline(bool count_cost, const Buffer& rays) const {
-  const TraceSpecialization form = specialize(0, scene_.bvh().depth, 0, count_cost, device_->description());
+  const TraceSpecialization form = specialize(0, shape_of(scene_.bvh()), 0, count_cost, device_->description());
   const std::vector<SpecializationValue> values{{SPECIALIZATION_EFFECTS, form.effects},
                                                 {SPECIALIZATION_TRAVERSAL_STACK, form.traversal_stack},
                                                 {SPECIALIZATION_SHIFT_STACK, form.shift_stack ? 1u : 0u},
