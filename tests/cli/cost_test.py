@@ -16,6 +16,11 @@ REPORT = str(SCENES.parent / "tools/report")
 VIEW = ["--size", "48x36"]
 
 
+def chance_of_at_least(count, trials, share):
+    """Of `count` or more among `trials` independent ones that each come with the probability `share`."""
+    return sum(math.comb(trials, k) * share**k * (1 - share) ** (trials - k) for k in range(count, trials + 1))
+
+
 class CostTest(ProgramTest):
     def cost(self, *arguments, report="", scene=SCENE):
         result = self.check_done("cost", scene, "-o", "report", *VIEW, *arguments,
@@ -23,7 +28,12 @@ class CostTest(ProgramTest):
         return json.loads((self.folder / "report/cost.json").read_text()), result
 
     def test_quick_writes_a_report_whose_claims_hold(self):
-        cost, result = self.cost("--quick", "--budget", 25, report=REPORT)
+        # Less fits into the time of a busy machine, and the report says what did not; then it is given more.
+        for budget_s in (25, 75, 225):
+            cost, result = self.cost("--quick", "--budget", budget_s, report=REPORT)
+            self.check_left_out(cost)
+            if self.axes_of(cost) >= {"spp", "adaptive", "level"}:
+                break
         self.assertEqual(cost["schema"], 1)
         self.assertTrue(cost["complete"])
         self.check_points(cost)
@@ -33,13 +43,23 @@ class CostTest(ProgramTest):
         self.assertIn(cost["recommendations"][0]["command"], result.stdout)
         self.assertFalse([name for name in self.files_below("report") if ".partial" in name or name.startswith(".")])
 
+    def axes_of(self, cost):
+        return {point["axis"] for point in cost["points"]}
+
+    def check_left_out(self, cost):
+        self.assertGreaterEqual(len(cost["points"]), 1)
+        self.assertFalse({point["name"] for point in cost["points"]} & set(cost["left_out"]))
+        if cost["left_out"]:
+            page = (self.folder / "report/report.html").read_text(encoding="utf-8")
+            self.assertIn("No time was left for: " + cost["left_out"][0], page)
+
     def files_below(self, folder):
         return [path.name for path in (self.folder / folder).rglob("*")]
 
     def check_points(self, cost):
         by_name = {point["name"]: point for point in cost["points"]}
         self.assertEqual(len(by_name), len(cost["points"]))
-        self.assertLessEqual({"spp", "adaptive", "level"}, {point["axis"] for point in cost["points"]})
+        self.assertLessEqual({"spp", "adaptive", "level"}, self.axes_of(cost))
         for point in cost["points"]:
             self.assertGreaterEqual(point["runs"], 2)
             self.assertGreater(point["device_ms"]["least"], 0.0)
@@ -71,7 +91,7 @@ class CostTest(ProgramTest):
         """Each recommended command, pasted, reaches its error on seeds that the sweep did not have."""
         self.check_done("render", SCENE, "-o", "truth.exr", *VIEW, "--spp", 1024, "--max-bounces", 16, "--cutoff",
                         "1/16384", "--accuracy", "exact", "--seed", 3000000000)
-        held = tried = 0
+        missed = tried = 0
         for one in cost["recommendations"]:
             for seed in (500, 501):
                 words = shlex.split(one["command"])
@@ -79,11 +99,12 @@ class CostTest(ProgramTest):
                 self.check_done(*words[1:], "--seed", seed)
                 self.check_done("diff", "render.exr", "truth.exr", "--json", "diff.json")
                 error = math.sqrt(json.loads((self.folder / "diff.json").read_text())["rel_mse"])
-                held += error <= one["error"]
+                missed += error > one["error"]
                 tried += 1
-        # A claim holds for 97.5 % of seeds: of so few trials one may fail; two of up to 20 would in 1 of 11 such tests,
-        # but the seeds are fixed, so this is no dice.
-        self.assertGreaterEqual(held, tried - 1)
+        # What is recommended depends on measured times, so this is a draw each time: a claim misses 2.5 % of seeds, and
+        # as many misses as are found here, or more, come by chance in at least one test of ten thousand. Claims of the
+        # mean error, without their interval, would miss every second time.
+        self.assertGreater(chance_of_at_least(missed, tried, 0.025), 1e-4, f"{missed} of {tried}")
 
     def test_an_image_may_be_the_truth(self):
         self.check_done("render", SCENE, "-o", "mine.exr", *VIEW, "--spp", 256, "--seed", 9)
