@@ -71,6 +71,8 @@ class CostTest(ProgramTest):
         # Samples at the pixel centre alone miss what lies between: the same picture for all seeds, so no noise at all.
         self.assertGreater(by_name["1 spp"]["bias_floor"], by_name["16 spp"]["rel_error"]["mean"])
         self.assertLess(cost["slope"], -0.3)
+        front = [by_name[name]["rel_error"]["mean"] for name in cost["pareto"]]
+        self.assertEqual(front, sorted(front, reverse=True), "more time on the front buys less error")
 
     def check_table(self, cost):
         with open(self.folder / "report/cost.csv", encoding="utf-8") as file:
