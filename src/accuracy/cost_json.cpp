@@ -83,7 +83,8 @@ std::vector<CostAndError> choices(const Sweep& sweep, const std::vector<PointSum
   return all;
 }
 
-/// By the mean error, which is what plots show: by claims, which hold the spread over seeds too, the front would rise there.
+/// By the mean error, which is what plots show: by claims, which hold the spread over seeds too, the front would rise
+/// there.
 Json pareto_json(const Sweep& sweep, const std::vector<PointSummary>& summaries, std::vector<CostAndError> all) {
   for (std::size_t i = 0; i < all.size(); ++i) all[i].error = summaries[i].rel_error.mean;
   Json front = Json::array();

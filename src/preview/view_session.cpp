@@ -14,8 +14,8 @@ namespace vernier {
 namespace {
 
 /// One coarse picture while the camera moves: input that comes right after one was begun waits for it, for its own and
-/// for two frames of the window, and still shows within 150 ms. With 35 ms mirrors and glass took up to 169 at 1280x720 on
-/// lavapipe, with 20 up to 142.
+/// for two frames of the window, and still shows within 150 ms. With 35 ms mirrors and glass took up to 169 at 1280x720
+/// on lavapipe, with 20 up to 142.
 constexpr double kInteractiveMs = 20.0;
 /// Input waits for the submission under way too. Never changes a bit.
 constexpr double kLongestDispatchMs = 45.0;
