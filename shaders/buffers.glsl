@@ -106,6 +106,16 @@ void add_to_counter(uint i, uint amount) {
 }
 uint load_counter(uint i) { return counters[i]; }
 // The next job of the dispatch that nobody has taken; past the last one there is none.
+#ifdef TAKES_JOBS_TOGETHER
+// One lane takes for all that want one: each atomic addition of llvmpipe's threads waits for the other's.
+uint take_job() {
+  uvec4 takers = subgroupBallot(true);
+  uint first = 0u;
+  if (subgroupElect()) first = atomicAdd(counters[COUNTER_NEXT_JOB], subgroupBallotBitCount(takers));
+  return subgroupBroadcastFirst(first) + subgroupBallotExclusiveBitCount(takers);
+}
+#else
 uint take_job() { return atomicAdd(counters[COUNTER_NEXT_JOB], 1u); }
+#endif
 
 #endif

@@ -78,7 +78,7 @@ PlaneCrossing plane_crossing(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(ve
   float side = dot_product(normal, p);
   float approach = dot_product(normal, ray.direction);
   float ahead = approach < 0.0f ? -side : side;
-  float t = max(min(side / approach, farthest), nearest);
+  float t = larger(smaller(side / approach, farthest), nearest);
   float bound = gamma_bound(SIDE_ROUNDINGS) * dot_product(abs(plus) + abs(minus), abs(p));
   bool certain = mutated(MUTATION_NO_LOWER_BOUND) ? t > 0.0f : ahead > bound || (ahead >= -bound && (nearest > ray.nearest || weighed_ahead));
   return PlaneCrossing(t, certain);
@@ -120,6 +120,21 @@ float edge_side(IN(float) value, IN(vec3) p, IN(vec3) q) {
   return value != 0.0f ? value : p.y != q.y ? p.y - q.y : q.x - p.x;
 }
 
+// Neither all above 0 nor all below. By the bits, which compare faster: as an int they are above 0 where the float is, as a
+// uint above those of -0 where it lies below.
+bool spans_zero(IN(float) a, IN(float) b, IN(float) c) {
+  int least_above = min(floatBitsToInt(a), min(floatBitsToInt(b), floatBitsToInt(c)));
+  uint least_below = min(floatBitsToUint(a), min(floatBitsToUint(b), floatBitsToUint(c)));
+  return least_above <= 0 && least_below <= 0x80000000u;
+}
+
+// None below 0 or none above. Sums with 0 make 0 of -0.
+bool is_of_one_sign(IN(vec3) v) {
+  precise vec3 sum = v + vec3(0.0f);
+  ivec3 bits = floatBitsToInt(sum);
+  return min(bits.x, min(bits.y, bits.z)) >= 0 || max(bits.x, max(bits.y, bits.z)) <= 0;
+}
+
 // Inside by the signs of the edge values. On an edge both triangles are hit, at the exact level one of them.
 bool is_inside(IN(vec3) edges, IN(vec3) p0, IN(vec3) p1, IN(vec3) p2) {
   if (level_at(SPOT_TRIANGLE) == LEVEL_EXACT) {
@@ -129,9 +144,7 @@ bool is_inside(IN(vec3) edges, IN(vec3) p0, IN(vec3) p1, IN(vec3) p2) {
     return (u > 0.0f && v > 0.0f && w > 0.0f) || (u < 0.0f && v < 0.0f && w < 0.0f);
   }
   // Edge values of a tiny triangle far beside the ray are rounded to 0, and two such zeros would make it a hit.
-  bool around = min(p0.x, min(p1.x, p2.x)) <= 0.0f && max(p0.x, max(p1.x, p2.x)) >= 0.0f &&
-                min(p0.y, min(p1.y, p2.y)) <= 0.0f && max(p0.y, max(p1.y, p2.y)) >= 0.0f;
-  return around && (min(edges.x, min(edges.y, edges.z)) >= 0.0f || max(edges.x, max(edges.y, edges.z)) <= 0.0f);
+  return spans_zero(p0.x, p1.x, p2.x) && spans_zero(p0.y, p1.y, p2.y) && is_of_one_sign(edges);
 }
 
 // The crossing by the watertight test. Every ray through a shared edge or corner of two triangles hits at least one of them:
@@ -142,10 +155,11 @@ Crossing watertight_crossing(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(ve
   vec3 p2 = sheared_corner(ray, v2);
   vec3 edges = level_at(SPOT_TRIANGLE) == LEVEL_EXACT ? edge_signs(p0, p1, p2) : edge_values(p0, p1, p2);
   precise float det = edges.x + edges.y + edges.z;
-  float farthest = max(p0.z, max(p1.z, p2.z));
+  float nearest = smaller(smaller(p0.z, p1.z), p2.z);
+  float farthest = larger(larger(p0.z, p1.z), p2.z);
   float depth = edges.x * p0.z + edges.y * p1.z + edges.z * p2.z;
   bool weighed_ahead = (det < 0.0f ? -depth : depth) > 0.5f * farthest * abs(det);
-  PlaneCrossing plane = plane_crossing(ray, v0, v1, v2, min(p0.z, min(p1.z, p2.z)), farthest, weighed_ahead);
+  PlaneCrossing plane = plane_crossing(ray, v0, v1, v2, nearest, farthest, weighed_ahead);
   return Crossing(is_inside(edges, p0, p1, p2) && det != 0.0f, plane.t, plane.in_front);
 }
 

@@ -3,6 +3,7 @@
 #define VERNIER_MATERIAL_GLSL
 
 #include "rounding.glsl"
+#include "shared/material_flags.h"
 #include "shared/material_layout.h"
 
 // Four words as floats.
@@ -54,7 +55,13 @@ DeviceTextureUse fetch_texture_use(IN(uint) index, IN(uint) slot) {
 // Beer-Lambert coefficient of material number `index`, per unit.
 vec3 fetch_absorption(IN(uint) index) { return first_three(float_texel(load_material(index * MATERIAL_TEXELS + 5u))); }
 
-uint workflow_of(IN(DeviceMaterial) material) { return material.flags & MATERIAL_WORKFLOW_MASK; }
+// WORKFLOW_* of a material; where all of the scene have one, the compiler knows it.
+uint workflow_of(IN(DeviceMaterial) material) {
+  if (WORKFLOWS == 1u << WORKFLOW_METALLIC_ROUGHNESS) return WORKFLOW_METALLIC_ROUGHNESS;
+  if (WORKFLOWS == 1u << WORKFLOW_SPECULAR_GLOSSINESS) return WORKFLOW_SPECULAR_GLOSSINESS;
+  if (WORKFLOWS == 1u << WORKFLOW_BLINN) return WORKFLOW_BLINN;
+  return material.flags & MATERIAL_WORKFLOW_MASK;
+}
 
 // ALPHA_* of the material.
 uint alpha_mode_of(IN(DeviceMaterial) material) {

@@ -17,6 +17,12 @@ bool is_finite(IN(float) x) { return (floatBitsToUint(x) & 0x7f800000u) != 0x7f8
 
 bool is_finite(IN(vec3) v) { return is_finite(v.x) && is_finite(v.y) && is_finite(v.z); }
 
+// The smaller (larger) of two numbers, b where one is none: one instruction of a CPU, where min and max, which look for the
+// one that is a number, take llvmpipe three.
+float smaller(IN(float) a, IN(float) b) { return a < b ? a : b; }
+
+float larger(IN(float) a, IN(float) b) { return a > b ? a : b; }
+
 float max3(IN(vec3) v) { return max(v.x, max(v.y, v.z)); }
 
 // v / |v|, the same bits for v scaled by any power of two; the zero vector for zero length or a non-finite component.

@@ -4,6 +4,7 @@
 
 #include "shared/accuracy.h"
 #include "shared/effects.h"
+#include "shared/material_flags.h"
 #include "shared/specialization_ids.h"
 
 layout(constant_id = SPECIALIZATION_EFFECTS) const uint EFFECTS = 0xffffffffu;
@@ -14,6 +15,7 @@ layout(constant_id = SPECIALIZATION_COUNT_COST) const bool COUNT_COST = false;
 layout(constant_id = SPECIALIZATION_COUNT_EFFECTS) const bool COUNT_EFFECTS = false;
 layout(constant_id = SPECIALIZATION_LISTED_PIXELS) const bool LISTED_PIXELS = false;
 layout(constant_id = SPECIALIZATION_INSTANCED) const bool INSTANCED = false;
+layout(constant_id = SPECIALIZATION_WORKFLOWS) const uint WORKFLOWS = ALL_WORKFLOWS;
 
 layout(constant_id = SPECIALIZATION_LEVELS) const uint LEVELS = LEVELS_OF(LEVEL_ROBUST);
 layout(constant_id = SPECIALIZATION_MUTATION) const uint MUTATION = MUTATION_NONE;

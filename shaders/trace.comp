@@ -1,6 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#ifdef TAKES_JOBS_TOGETHER
+#extension GL_KHR_shader_subgroup_ballot : require
+#endif
 
 #include "shared/glsl.h"
 #include "specialization.glsl"

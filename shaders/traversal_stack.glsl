@@ -1,5 +1,5 @@
 // The stack of a traversal: groups of siblings still to be visited (traverse_bvh.glsl). At most one group waits per level of
-// the BVH, and the stack has as many entries as the BVH has levels: it cannot overflow.
+// the BVH but the lowest, and the stack has as many entries as the BVH has levels: it cannot overflow.
 #ifndef VERNIER_TRAVERSAL_STACK_GLSL
 #define VERNIER_TRAVERSAL_STACK_GLSL
 
@@ -30,6 +30,20 @@ THREAD_PRIVATE uint g0, g1, g2, g3, g4, g5, g6, g7, g8, g9, g10, g11, g12, g13, 
   MOVE_ENTRY(15, g14, g15) MOVE_ENTRY(16, g15, g16) MOVE_ENTRY(17, g16, g17) MOVE_ENTRY(18, g17, g18)                   \
   MOVE_ENTRY(19, g18, g19) MOVE_ENTRY(20, g19, g20) MOVE_ENTRY(21, g20, g21) MOVE_ENTRY(22, g21, g22)                   \
   MOVE_ENTRY(23, g22, g23)
+
+// The shifted stack needs no count: what lies below its lowest entry is 0, which no group is. One with instances is counted
+// all the same, since the way back out of them hangs on the count.
+bool counts_stack() { return !SHIFT_STACK || INSTANCED; }
+
+bool stack_is_empty(IN(uint) count) { return counts_stack() ? count == 0u : g0 == 0u; }
+
+// Makes the stack one without entries.
+void clear_stack() {
+  if (!counts_stack()) {
+    g0 = g1 = g2 = g3 = g4 = g5 = g6 = g7 = g8 = g9 = g10 = g11 = 0u;
+    g12 = g13 = g14 = g15 = g16 = g17 = g18 = g19 = g20 = g21 = g22 = g23 = 0u;
+  }
+}
 
 // Adds `group` on top of `count` entries.
 void push_group(IN(uint) count, IN(uint) group) {

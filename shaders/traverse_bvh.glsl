@@ -38,11 +38,11 @@ void advance(INOUT(Cursor) cursor, IN(bool) descend, IN(ivec4) entries, IN(uint)
   bool pop = !down && !has_rest;
   if (push) {
     push_group(cursor.stack_count, cursor.group);
-    cursor.stack_count++;
+    if (counts_stack()) cursor.stack_count++;
   }
-  cursor.running = cursor.running && !(pop && cursor.stack_count == 0u);
+  cursor.running = cursor.running && !(pop && stack_is_empty(cursor.stack_count));
   if (pop && cursor.running) {
-    cursor.stack_count--;
+    if (counts_stack()) cursor.stack_count--;
     cursor.group = pop_group(cursor.stack_count);
   }
   uint rest = group_of_rest(entries, child_base);
@@ -61,7 +61,7 @@ struct Search {
 
 // What a search found, and what it took.
 struct Found {
-  Hit hit;         // the closest, or no_hit(t_max)
+  Hit hit;         // the closest, or no_hit(t_max); while searching its record says too whether it lets something pass
   bool is_opaque;  // its triangle lets nothing pass
   bool finished;   // false: cut off by a loop limit, the answer may not be used
   uint nodes;      // visited, with COUNT_COST
@@ -84,13 +84,19 @@ struct Tree {
   uint entered;         // an instance that was met and is to be gone into, or NONE
 };
 
+// 3 record, by a shift that only the host knows: llvmpipe's compiler makes a product of what it knows, and the loads wait 8
+// cycles longer for it.
+uint first_texel(IN(uint) record) { return (record << steering_constants().one) + record; }
+
 // Follows `ray`, which is `above` in the scene's tree, to the end of the search or to an instance.
 void search_trees(IN(Search) search, IN(TreeRay) above, INOUT(TreeRay) ray, INOUT(Tree) tree, INOUT(Cursor) cursor, INOUT(Found) found) {
-  for (uint steps = 0u; cursor.running && steps < LOOP_ROUND_LIMIT; steps++) {
+  // Records are fewer than the limit, which compilers cannot know (loop_limit.glsl).
+  while (cursor.running && cursor.record < LOOP_ROUND_LIMIT) {
     uint record = cursor.record;
-    uvec4 a = load_record(3u * record);
-    uvec4 b = load_record(3u * record + 1u);
-    uvec4 c = load_record(3u * record + 2u);
+    uint first = first_texel(record);
+    uvec4 a = load_record(first);
+    uvec4 b = load_record(first + 1u);
+    uvec4 c = load_record(first + 2u);
     bool is_triangle = (a.w & BVH_TRIANGLE) != 0u;
     ivec4 entries = intersect_children(ray.slab, a, b, c, search.t_min, found.hit.t);
     // The next record is chosen before the triangle is tested: a CPU that looks ahead then asks for it meanwhile.
@@ -99,10 +105,10 @@ void search_trees(IN(Search) search, IN(TreeRay) above, INOUT(TreeRay) ray, INOU
     // branch. A record that is no triangle can hit nothing beyond the largest float.
     uint triangle = INSTANCED ? tree.first_triangle + c.w : c.w;
     bool accepted = intersect_triangle(ray.sheared, uintBitsToFloat(uvec3(a.x, a.y, a.z)), uintBitsToFloat(uvec3(b.x, b.y, b.z)),
-                                       uintBitsToFloat(uvec3(c.x, c.y, c.z)), triangle, record,
-                                       is_triangle ? search.t_min : LARGEST_FLOAT, search.after_triangle, found.hit);
+                                       uintBitsToFloat(uvec3(c.x, c.y, c.z)), triangle,
+                                       record | (a.w & BVH_TRIANGLE_NOT_OPAQUE), is_triangle ? search.t_min : LARGEST_FLOAT,
+                                       search.after_triangle, found.hit);
     bool opaque = (a.w & BVH_TRIANGLE_NOT_OPAQUE) == 0u;
-    found.is_opaque = accepted ? opaque : found.is_opaque;
     if (COUNT_COST) {
       found.nodes += is_triangle ? 0u : 1u;
       found.triangles += is_triangle ? 1u : 0u;
@@ -142,6 +148,7 @@ Found traverse_bvh(IN(Search) search) {
   Found found = Found(no_hit(search.t_max), false, true, 0u, 0u);
   Cursor cursor = Cursor(0u, 0u, 0u, scene_has_triangles() && is_valid_ray(search.ray));
   bool again = false;
+  clear_stack();
   if (INSTANCED) {
     again = cursor.running;
     for (uint entered = 0u; again && entered < LOOP_ROUND_LIMIT; entered++) {
@@ -152,6 +159,8 @@ Found traverse_bvh(IN(Search) search) {
     search_trees(search, above, ray, tree, cursor, found);
   }
   found.finished = !cursor.running && !again;
+  found.is_opaque = found.hit.triangle != NONE && (found.hit.record & BVH_TRIANGLE_NOT_OPAQUE) == 0u;
+  if (found.hit.triangle != NONE) found.hit.record &= ~BVH_TRIANGLE_NOT_OPAQUE;
   return found;
 }
 

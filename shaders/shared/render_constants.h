@@ -52,6 +52,7 @@ struct SteeringConstants {
   uint tangent_texel;
   uint pixel_filter;  // PIXEL_FILTER_*
   uint object_count;  // numbers in BINDING_FIRST_TRIANGLES
+  uint one;           // 1 (traverse_bvh.glsl, first_texel)
 };
 
 // One dispatch; steering constants go with it.
@@ -74,7 +75,7 @@ struct DispatchConstants {
 
 #ifdef __cplusplus
 static_assert(sizeof(RenderConstants) == 4 * (6 * 4 + 6 + 27));
-static_assert(sizeof(DispatchConstants) == 4 * (13 + 13));
+static_assert(sizeof(DispatchConstants) == 4 * (13 + 14));
 }  // namespace vernier
 #endif
 

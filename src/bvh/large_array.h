@@ -7,14 +7,9 @@
 #include <utility>
 #include <vector>
 
-#ifdef __linux__
-#include <sys/mman.h>
-#endif
+#include "math/large_pages.h"
 
 namespace vernier {
-
-/// Bytes of a large page on x86-64 and on most ARM systems; elsewhere only an alignment.
-inline constexpr std::size_t kLargePageBytes = std::size_t{1} << 21;
 
 /// Memory for arrays that are filled once, by several threads. New elements are not set to zero: that would touch every
 /// page on one thread before it is needed. On Linux those of a page and more ask for large pages, since the first touch
@@ -34,16 +29,12 @@ struct LargeArrayAllocator {
     if (bytes < kLargePageBytes) return static_cast<T*>(checked(std::malloc(bytes)));
     const std::size_t whole_pages = (bytes + kLargePageBytes - 1) / kLargePageBytes * kLargePageBytes;
     void* memory = checked(std::aligned_alloc(kLargePageBytes, whole_pages));
-#ifdef __linux__
-    madvise(memory, whole_pages, MADV_HUGEPAGE);  // a wish: small pages will do
-#endif
+    wish_for_large_pages({static_cast<std::byte*>(memory), whole_pages});
     return static_cast<T*>(memory);
   }
 
   /// Gives back what allocate returned.
-  void deallocate(T* memory, std::size_t) {
-    std::free(memory);
-  }
+  void deallocate(T* memory, std::size_t) { std::free(memory); }
 
   /// Leaves a new element as the memory is, its defaults too: aggregates begin to live with the memory of malloc.
   template <typename U>
@@ -56,9 +47,7 @@ struct LargeArrayAllocator {
     ::new (static_cast<void*>(place)) U(std::forward<Arguments>(arguments)...);
   }
 
-  bool operator==(const LargeArrayAllocator&) const {
-    return true;
-  }
+  bool operator==(const LargeArrayAllocator&) const { return true; }
 
  private:
   static_assert(alignof(T) <= alignof(std::max_align_t));

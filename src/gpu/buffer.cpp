@@ -8,6 +8,7 @@
 
 #include "error.h"
 #include "gpu/submission.h"
+#include "math/large_pages.h"
 
 namespace vernier {
 namespace {
@@ -137,6 +138,8 @@ Buffer::Buffer(const Device& device, std::uint64_t size_bytes, BufferUse use) : 
           device.vk().createBufferView(vk::BufferViewCreateInfo({}, *buffer_, traits.texel_format, 0, VK_WHOLE_SIZE));
     }
   });
+  // llvmpipe's memory is the host's: rays that jump about in it wait for the tables of small pages.
+  if (device.description().is_llvmpipe) wish_for_large_pages(mapped_);
   clear(device);
 }
 

@@ -77,6 +77,8 @@ void describe_vulkan_12(const vk::raii::PhysicalDevice& physical, DeviceDescript
   out.is_llvmpipe = vulkan_12.driverID == vk::DriverId::eMesaLlvmpipe;
   out.max_allocation_bytes = vulkan_11.maxMemoryAllocationSize;
   out.subgroup_size = vulkan_11.subgroupSize;
+  out.subgroup_ballot = (vulkan_11.subgroupSupportedStages & vk::ShaderStageFlagBits::eCompute) &&
+                        (vulkan_11.subgroupSupportedOperations & vk::SubgroupFeatureFlagBits::eBallot);
   const auto features = physical.getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features>();
   out.float64 = features.get<vk::PhysicalDeviceFeatures2>().features.shaderFloat64 == VK_TRUE;
   if (features.get<vk::PhysicalDeviceVulkan12Features>().scalarBlockLayout != VK_TRUE) {

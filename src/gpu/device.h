@@ -31,6 +31,7 @@ struct DeviceDescription {
   std::uint64_t device_memory_bytes = 0;  ///< largest device-local heap
   std::uint32_t max_workgroup_invocations = 0;
   std::uint32_t subgroup_size = 0;
+  bool subgroup_ballot = false;  ///< invocations of a compute subgroup can vote
   bool timestamps = false;
   double timestamp_period_ns = 0.0;
   /// Storage buffers a shader stage may bind.

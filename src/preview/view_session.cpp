@@ -66,7 +66,7 @@ void ViewSession::prepare(const RenderSettings& settings) {
   const EffectSet automatic =
       detect_effects(viewed_.scene, camera_, static_cast<int>(settings.max_bounces), settings.cutoff);
   const EffectSet effects = choose_effects(automatic, settings.effects);
-  TraceSpecialization specialization = specialize(effects.bits, shape_of(staged_.packed().bvh), effects.depth.bounces,
+  TraceSpecialization specialization = specialize(effects.bits, shape_of(staged_.packed()), effects.depth.bounces,
                                                   counts_cost(settings), device_.description());
   specialization.levels = levels_of(settings.accuracy);
   auto film = std::make_unique<Film>(device_, PixelRect{0, 0, settings.width, settings.height}, true);

@@ -90,6 +90,8 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count, BuildMethod me
   packed.first_triangles = std::move(baked.first_triangles);
   packed.vertices = std::move(baked.vertices);
   packed.materials = pack_materials(scene, packed.space.metres_per_unit);
+  for (const Material& material : scene.materials)
+    packed.workflows |= 1u << static_cast<std::uint32_t>(material.workflow);
   packed.lights = pack_lights(scene.lights, packed.space);
   PackedTextures textures = pack_textures(scene);
   packed.textures = std::move(textures.textures);
@@ -100,6 +102,7 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count, BuildMethod me
   packed.steering.light_count = static_cast<std::uint32_t>(scene.lights.size());
   packed.steering.triangle_count = packed.bvh.triangle_count;
   packed.steering.object_count = static_cast<std::uint32_t>(packed.first_triangles.size());
+  packed.steering.one = 1;
   packed.steering.vertex_texels = baked.layout.texels;
   packed.steering.normal_texel = baked.layout.normal;
   packed.steering.uv01_texel = baked.layout.uv01;

@@ -31,6 +31,7 @@ struct PackedScene {
   std::uint64_t triangle_count = 0;    ///< of all instances, as are the next two
   std::uint64_t traced_triangles = 0;  ///< in the BVH
   std::uint64_t hidden_triangles = 0;  ///< left out of it: they lie exactly on opaque ones before them
+  std::uint32_t workflows = 0;         ///< OR of 1 << WORKFLOW_* of the materials
   double bake_ms = 0.0;
   double bvh_build_ms = 0.0;
 };

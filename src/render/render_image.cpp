@@ -139,7 +139,7 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   const SceneLoads loads = choose_scene_loads(device.description(), settings.traversal);
   GpuScene gpu_scene = upload_scene(device, packed, loads, statistics);
   gpu_scene.set_constants(device, packed.constants, packed.steering);
-  TraceSpecialization specialization = specialize(statistics.effects.bits, shape_of(packed.bvh), bounces,
+  TraceSpecialization specialization = specialize(statistics.effects.bits, shape_of(packed), bounces,
                                                   wants(settings, "cost"), device.description(), settings.traversal);
   specialization.levels = settings.spot_levels.value_or(levels_of(settings.accuracy));
   specialization.mutation = settings.mutation;

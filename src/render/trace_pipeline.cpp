@@ -54,13 +54,14 @@ std::uint32_t waiting_rays(std::uint32_t effects, std::uint32_t max_bounces) {
   return static_cast<std::uint32_t>(std::min<std::uint64_t>(std::uint64_t{per_depth} * max_bounces, kLargestPathStack));
 }
 
-TraceSpecialization specialize(std::uint32_t effects, const BvhShape& bvh, std::uint32_t max_bounces, bool count_cost,
-                               const DeviceDescription& device, TraversalForm form) {
+TraceSpecialization specialize(std::uint32_t effects, const SceneShape& scene, std::uint32_t max_bounces,
+                               bool count_cost, const DeviceDescription& device, TraversalForm form) {
   TraceSpecialization values;
   values.effects = effects;
-  values.traversal_stack = std::max(bvh.depth, 1u);
-  values.shift_stack = shifts_stack(device, form) && bvh.depth <= SHIFT_STACK_MAX_SIZE;
-  values.instanced = bvh.instanced;
+  values.traversal_stack = std::max(scene.depth, 1u);
+  values.shift_stack = shifts_stack(device, form) && scene.depth <= SHIFT_STACK_MAX_SIZE;
+  values.instanced = scene.instanced;
+  values.workflows = scene.workflows;
   values.path_stack = waiting_rays(effects, max_bounces);
   values.count_cost = count_cost;
   return values;
@@ -68,7 +69,8 @@ TraceSpecialization specialize(std::uint32_t effects, const BvhShape& bvh, std::
 
 ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLoads loads,
                                     const TraceSpecialization& specialization, std::span<const Binding> bindings) {
-  const std::array<SpecializationValue, 10> values = {
+  require_loads(device.description(), loads);
+  const std::array<SpecializationValue, 11> values = {
       SpecializationValue{SPECIALIZATION_EFFECTS, specialization.effects},
       SpecializationValue{SPECIALIZATION_TRAVERSAL_STACK, specialization.traversal_stack},
       SpecializationValue{SPECIALIZATION_SHIFT_STACK, specialization.shift_stack ? 1u : 0u},
@@ -78,6 +80,7 @@ ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLo
                           specialization.count_effects && kernel == Kernel::trace ? 1u : 0u},
       SpecializationValue{SPECIALIZATION_LISTED_PIXELS, specialization.listed_pixels ? 1u : 0u},
       SpecializationValue{SPECIALIZATION_INSTANCED, specialization.instanced ? 1u : 0u},
+      SpecializationValue{SPECIALIZATION_WORKFLOWS, specialization.workflows},
       SpecializationValue{SPECIALIZATION_LEVELS, specialization.levels},
       SpecializationValue{SPECIALIZATION_MUTATION, specialization.mutation}};
   return ComputePipeline(device, spirv_of(kernel, loads), bindings, 0, values);

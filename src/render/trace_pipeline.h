@@ -7,6 +7,7 @@
 #include "render/gpu_scene.h"
 #include "render/render_settings.h"
 #include "shared/accuracy.h"
+#include "shared/material_flags.h"
 #include "shared/render_constants.h"
 
 namespace vernier {
@@ -21,19 +22,21 @@ struct TraceSpecialization {
   bool count_effects = false;                      ///< trace kernel only
   bool listed_pixels = false;                      ///< dispatches have a list of their pixels
   bool instanced = false;                          ///< the BVH has instances
+  std::uint32_t workflows = ALL_WORKFLOWS;         ///< those of the scene's materials
   std::uint32_t levels = LEVELS_OF(LEVEL_ROBUST);  ///< numeric level of each spot (shared/accuracy.h)
   std::uint32_t mutation = MUTATION_NONE;          ///< seeded fault; a renderer has none
 };
 
-/// What a kernel has to know of a BVH.
-struct BvhShape {
-  std::uint32_t depth = 0;
-  bool instanced = false;  ///< it has instances
+/// What a kernel has to know of a scene when it is compiled.
+struct SceneShape {
+  std::uint32_t depth = 0;                  ///< of its BVH
+  bool instanced = false;                   ///< its BVH has instances
+  std::uint32_t workflows = ALL_WORKFLOWS;  ///< OR of 1 << WORKFLOW_*: those of its materials at least
 };
 
-/// That of `bvh`.
-inline BvhShape shape_of(const Bvh& bvh) {
-  return {bvh.depth, bvh.instance_count > 0};
+/// That of `packed`.
+inline SceneShape shape_of(const PackedScene& packed) {
+  return {packed.bvh.depth, packed.bvh.instance_count > 0, packed.workflows};
 }
 
 /// The levels of all spots at `accuracy`.
@@ -43,10 +46,11 @@ std::uint32_t levels_of(Accuracy accuracy);
 /// Up to 64; beyond that they are dropped and counted.
 std::uint32_t waiting_rays(std::uint32_t effects, std::uint32_t max_bounces);
 
-/// The specialization for a scene with `bvh` and `effects`, at most `max_bounces` deep, on `device`. A stack that
+/// The specialization for `scene` with `effects`, at most `max_bounces` deep, on `device`. A stack that
 /// is deeper than there are variables to shift is an array, whatever `form` says.
-TraceSpecialization specialize(std::uint32_t effects, const BvhShape& bvh, std::uint32_t max_bounces, bool count_cost,
-                               const DeviceDescription& device, TraversalForm form = TraversalForm::automatic);
+TraceSpecialization specialize(std::uint32_t effects, const SceneShape& scene, std::uint32_t max_bounces,
+                               bool count_cost, const DeviceDescription& device,
+                               TraversalForm form = TraversalForm::automatic);
 
 /// Which kernel.
 enum class Kernel {
@@ -55,7 +59,8 @@ enum class Kernel {
   primary      ///< AOVs at pixel centres
 };
 
-/// Compiles `kernel` for buffers that are bound like `bindings`.
+/// Compiles `kernel` for buffers that are bound like `bindings`. Throws Error(refused) where the device lacks what a
+/// kernel that reads texels needs.
 ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLoads loads,
                                     const TraceSpecialization& specialization, std::span<const Binding> bindings);
 

@@ -3,6 +3,7 @@
 #include <array>
 #include <string_view>
 
+#include "error.h"
 #include "gpu/buffer.h"
 #include "gpu/device.h"
 
@@ -48,6 +49,14 @@ constexpr SceneLoads choose_scene_loads(const DeviceDescription& device,
   const TraversalForm resolved = resolve_form(device, form);
   const bool texels = resolved == TraversalForm::texels_shifted || resolved == TraversalForm::texels_array;
   return texels ? SceneLoads::texels : SceneLoads::storage;
+}
+
+/// Throws Error(refused) where `device` lacks what kernels with `loads` take.
+inline void require_loads(const DeviceDescription& device, SceneLoads loads) {
+  if (loads == SceneLoads::texels && !device.subgroup_ballot) {
+    throw Error(ErrorKind::refused, "device " + device.name + ": no ballots of subgroups, which kernels that read " +
+                                        "texels take; try --traversal storage-array");
+  }
 }
 
 /// The use of a buffer that kernels store to and read back by `loads`.

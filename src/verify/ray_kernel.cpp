@@ -29,6 +29,7 @@ PackedScene packed_triangles(std::span<const BvhTriangle> triangles) {
   packed.triangles.assign(4 * triangles.size(), 0);
   packed.first_triangles.assign(1, 0);
   packed.steering.object_count = 1;
+  packed.steering.one = 1;
   packed.vertices.assign(4, 0);
   packed.materials.assign(4 * MATERIAL_TEXELS, 0);
   packed.steering.environment_texture = NONE;
@@ -97,7 +98,8 @@ DispatchConstants RayScene::constants() const {
 
 const ComputePipeline& RayKernel::pipeline_for(const RayScene& scene, std::span<const Binding> bindings) {
   const DeviceDescription& device = setup_.device->description();
-  const TraceSpecialization stack = specialize(0, shape_of(scene.bvh()), 0, true, device);
+  const TraceSpecialization stack =
+      specialize(0, SceneShape{scene.bvh().depth, scene.bvh().instance_count > 0}, 0, true, device);
   const std::pair key{stack.traversal_stack, stack.instanced};
   const auto found = by_shape_.find(key);
   if (found != by_shape_.end()) return found->second;

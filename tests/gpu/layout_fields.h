@@ -23,7 +23,7 @@ WORD(dispatch.steering.spp) WORD(dispatch.steering.orthographic) WORD(dispatch.s
 WORD(dispatch.steering.light_count) WORD(dispatch.steering.triangle_count) WORD(dispatch.steering.vertex_texels)
 WORD(dispatch.steering.normal_texel) WORD(dispatch.steering.uv01_texel) WORD(dispatch.steering.uv23_texel)
 WORD(dispatch.steering.color_texel) WORD(dispatch.steering.tangent_texel)
-WORD(dispatch.steering.pixel_filter) WORD(dispatch.steering.object_count)
+WORD(dispatch.steering.pixel_filter) WORD(dispatch.steering.object_count) WORD(dispatch.steering.one)
 
 NUMBER(material.base_color.x) NUMBER(material.base_color.y) NUMBER(material.base_color.z) NUMBER(material.base_color.w)
 VEC(material.specular) NUMBER(material.roughness)

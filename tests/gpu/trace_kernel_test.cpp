@@ -47,6 +47,23 @@ TEST_F(TraceKernelTest, effects_that_nothing_asks_for_change_no_bit) {
   EXPECT_EQ(film(settings, detected, loads), film(settings, 0xffffffffu, loads));
 }
 
+TEST_F(TraceKernelTest, kernels_for_one_workflow_have_the_bits_of_those_for_all) {
+  const RenderSettings settings = test::small_image(24, 24, 2);
+  const SceneLoads loads = choose_scene_loads(device().description());
+  for (const Workflow workflow : {Workflow::metallic_roughness, Workflow::specular_glossiness, Workflow::blinn}) {
+    for (Material& material : scene_.materials) {
+      material.workflow = workflow;
+      material.exponent = 40.0f;
+    }
+    const PackedScene packed = test::packed_for(scene_, camera_, settings);
+    ASSERT_EQ(packed.workflows, 1u << static_cast<std::uint32_t>(workflow));
+    const std::uint32_t effects = detect_effects(scene_, camera_, 8).bits;
+    EXPECT_EQ(traced_film(device(), packed, settings, loads, effects),
+              traced_film(device(), packed, settings, loads, effects, ALL_WORKFLOWS))
+        << "workflow " << static_cast<int>(workflow);
+  }
+}
+
 TEST_F(TraceKernelTest, texel_and_storage_loads_give_the_same_bits) {
   const RenderSettings settings = test::small_image(32, 32, 4);
   const std::uint32_t detected = detect_effects(scene_, camera_, 8).bits;

@@ -15,6 +15,7 @@ inline Memory bvh_memory(std::span<const BvhTriangle> triangles,
   Memory scene;
   scene.records = record_texels(bvh);
   scene.dispatch.steering.triangle_count = bvh.triangle_count;
+  scene.dispatch.steering.one = 1;
   return scene;
 }
 

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <optional>
 
@@ -17,6 +18,20 @@ Hit hit_of(const Ray& ray, const Triangle& t, uint id = 7u, float t_min = 0.0f, 
   Hit hit = no_hit(LARGEST_FLOAT);
   intersect_triangle(sheared_ray(ray), t.v0, t.v1, t.v2, id, 70u, t_min, after, hit);
   return hit;
+}
+
+// What spans_zero and is_of_one_sign do with bits, by floats.
+TEST(IntersectTriangle, signs_by_bits_are_those_by_floats) {
+  constexpr float kValues[] = {0.0f, -0.0f, 1.0f, -1.0f, 1e-45f, -1e-45f, 3e38f, -3e38f};
+  for (const float a : kValues) {
+    for (const float b : kValues) {
+      for (const float c : kValues) {
+        const float least = std::min({a, b, c}), most = std::max({a, b, c});
+        EXPECT_EQ(spans_zero(a, b, c), least <= 0.0f && most >= 0.0f) << a << ' ' << b << ' ' << c;
+        EXPECT_EQ(is_of_one_sign(vec3(a, b, c)), least >= 0.0f || most <= 0.0f) << a << ' ' << b << ' ' << c;
+      }
+    }
+  }
 }
 
 vec3 weights_of(const Ray& ray, const Triangle& t) {

@@ -64,5 +64,14 @@ TEST(Rounding, products_by_hand) {
   EXPECT_EQ(max3(vec3(-1, -7, -3)), -1.0f);
 }
 
+TEST(Rounding, of_two_numbers_the_second_stands_in_for_one_that_is_none) {
+  EXPECT_EQ(smaller(1.0f, 2.0f), 1.0f);
+  EXPECT_EQ(smaller(2.0f, -1.0f), -1.0f);
+  EXPECT_EQ(larger(1.0f, 2.0f), 2.0f);
+  EXPECT_EQ(larger(2.0f, -1.0f), 2.0f);
+  EXPECT_EQ(smaller(kNan, 3.0f), 3.0f);
+  EXPECT_EQ(larger(kNan, 3.0f), 3.0f);
+}
+
 }  // namespace
 }  // namespace vernier::shader

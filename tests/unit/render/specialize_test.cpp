@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "render/trace_pipeline.h"
+#include "shader/tiny_scene.h"
 #include "shared/effects.h"
 
 namespace vernier {
@@ -48,6 +49,32 @@ TEST(Specialize, a_form_that_is_asked_for_is_taken) {
   EXPECT_EQ(choose_scene_loads({}), SceneLoads::storage);
   EXPECT_EQ(choose_scene_loads(llvmpipe(), TraversalForm::storage_array), SceneLoads::storage);
   EXPECT_EQ(choose_scene_loads({}, TraversalForm::texels_shifted), SceneLoads::texels);
+}
+
+TEST(Specialize, texel_forms_are_refused_where_lanes_cannot_vote) {
+  DeviceDescription device;
+  device.name = "a small one";
+  require_loads(device, SceneLoads::storage);
+  try {
+    require_loads(device, SceneLoads::texels);
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    EXPECT_NE(std::string(error.what()).find("a small one: no ballots"), std::string::npos) << error.what();
+  }
+  device.subgroup_ballot = true;
+  require_loads(device, SceneLoads::texels);
+}
+
+TEST(Specialize, what_the_scene_s_materials_are_is_known) {
+  Scene scene = test::tiny_scene();
+  const auto workflows = [&] { return shape_of(pack_scene(scene, 1)).workflows; };
+  for (Material& material : scene.materials) material.workflow = Workflow::blinn;
+  EXPECT_EQ(workflows(), 1u << WORKFLOW_BLINN);
+  scene.materials.back().workflow = Workflow::specular_glossiness;
+  EXPECT_EQ(workflows(), 1u << WORKFLOW_BLINN | 1u << WORKFLOW_SPECULAR_GLOSSINESS);
+  EXPECT_EQ(specialize(0, {3, false, 5u}, 1, false, {}).workflows, 5u);
+  EXPECT_EQ(specialize(0, {3}, 1, false, {}).workflows, ALL_WORKFLOWS);
 }
 
 TEST(Specialize, effects_and_cost_pass_through) {
