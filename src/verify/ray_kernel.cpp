@@ -6,7 +6,6 @@
 
 #include "bvh/build_bvh.h"
 #include "render/pack_materials.h"
-#include "render/trace_pipeline.h"
 #include "shared/bindings.h"
 #include "shared/bvh_record.h"
 #include "shared/specialization_ids.h"
@@ -98,8 +97,7 @@ DispatchConstants RayScene::constants() const {
 
 const ComputePipeline& RayKernel::pipeline_for(const RayScene& scene, std::span<const Binding> bindings) {
   const DeviceDescription& device = setup_.device->description();
-  const TraceSpecialization stack =
-      specialize(0, SceneShape{scene.bvh().depth, scene.bvh().instance_count > 0}, 0, true, device);
+  const TraceSpecialization stack = specialize(0, scene.shape(), 0, true, device);
   const std::pair key{stack.traversal_stack, stack.instanced};
   const auto found = by_shape_.find(key);
   if (found != by_shape_.end()) return found->second;

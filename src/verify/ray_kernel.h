@@ -9,6 +9,7 @@
 #include "gpu/compute_pipeline.h"
 #include "gpu/submission.h"
 #include "render/gpu_scene.h"
+#include "render/trace_pipeline.h"
 #include "shared/verify_rays.h"
 #include "verify/verify_case.h"
 
@@ -30,6 +31,8 @@ class RayScene {
 
   /// The tree over the triangles.
   const Bvh& bvh() const { return packed_.bvh; }
+  /// What kernels are compiled for.
+  SceneShape shape() const { return shape_of(packed_); }
   /// Its buffers.
   const GpuScene& on_device() const { return gpu_; }
   /// What every dispatch carries.

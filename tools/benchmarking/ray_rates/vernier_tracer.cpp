@@ -60,7 +60,7 @@ std::vector<Binding> VernierTracer::bindings_with(const Buffer& rays) const {
 }
 
 ComputePipeline VernierTracer::make_pipeline(bool count_cost, const Buffer& rays) const {
-  const TraceSpecialization form = specialize(0, shape_of(scene_.bvh()), 0, count_cost, device_->description());
+  const TraceSpecialization form = specialize(0, scene_.shape(), 0, count_cost, device_->description());
   const std::vector<SpecializationValue> values{{SPECIALIZATION_EFFECTS, form.effects},
                                                 {SPECIALIZATION_TRAVERSAL_STACK, form.traversal_stack},
                                                 {SPECIALIZATION_SHIFT_STACK, form.shift_stack ? 1u : 0u},
