@@ -1,4 +1,7 @@
+#include <algorithm>
+
 #include "error.h"
+#include "math/parallel_for.h"
 #include "scene/load_scene.h"
 #include "scene/obj_materials.h"
 #include "scene/obj_meshes.h"
@@ -15,6 +18,12 @@ struct MaterialChoice {
   std::vector<std::uint32_t> by_name;
   std::uint32_t none = 0;
 };
+
+/// A part for each core, but of a megabyte at least.
+std::size_t choose_part_count(std::size_t bytes) {
+  constexpr std::size_t kLeastPartBytes = std::size_t{1} << 20;
+  return std::clamp<std::size_t>(bytes / kLeastPartBytes, 1, resolve_thread_count(0));
+}
 
 MaterialChoice choose_materials(Scene& scene, const ObjGeometry& geometry,
                                 const std::map<std::string, std::uint32_t>& index_by_name) {
@@ -40,7 +49,8 @@ MaterialChoice choose_materials(Scene& scene, const ObjGeometry& geometry,
 Scene load_obj(const std::string& path, const LoadOptions& options) {
   Scene scene;
   scene.source = path;
-  const ObjGeometry geometry = parse_obj(path, read_text(path));
+  const std::string text = read_text(path);
+  const ObjGeometry geometry = parse_obj(path, text, choose_part_count(text.size()));
   scene.files.push_back(path);
   if (geometry.shapes.empty()) throw Error(ErrorKind::refused, path + ": no faces");
   for (const std::string& line : geometry.unsupported) warn_unsupported(scene, options, path + ": " + line);

@@ -14,8 +14,6 @@ namespace {
 constexpr std::string_view kInfinity = "1e999";
 // Longer indices do not fit an int.
 constexpr std::size_t kIndexDigits = 9;
-// No model has more; each is a file to open.
-constexpr std::size_t kMaxLibraries = 256;
 // Statements that only ask for display or tessellation habits and change nothing about polygons.
 constexpr std::array<std::string_view, 8> kSilentKeywords = {"bevel", "c_interp",   "d_interp",  "lod",
                                                              "mg",    "shadow_obj", "trace_obj", "ctech"};
@@ -63,14 +61,13 @@ std::string_view face_corner(std::string_view word) {
 
 }  // namespace
 
-ObjLineFilter::ObjLineFilter(std::string file, std::string text) : file_(std::move(file)), text_(std::move(text)) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text_.starts_with(kByteOrderMark)) position_ = kByteOrderMark.size();
-}
+ObjLineFilter::ObjLineFilter(std::string file, std::string_view text) : file_(std::move(file)), text_(text) {}
 
 int ObjLineFilter::underflow() {
   out_.clear();
   while (out_.empty() && position_ < text_.size()) write(next_line());
+  statements_.lines = line_;
+  if (out_.empty() && !std::exchange(ended_, true)) out_ = "f 1 1 1\n";
   if (out_.empty()) return traits_type::eof();
   setg(out_.data(), out_.data(), out_.data() + out_.size());
   return traits_type::to_int_type(out_[0]);
@@ -84,7 +81,7 @@ std::string_view ObjLineFilter::next_line() {
     const bool crlf = text_.compare(end, 2, "\r\n") == 0;
     position_ = std::min(end + (crlf ? 2 : 1), text_.size());
     ++line_;
-    const std::string_view part = trimmed(std::string_view(text_).substr(start, end - start));
+    const std::string_view part = trimmed(text_.substr(start, end - start));
     const bool goes_on = part.ends_with('\\') && position_ < text_.size();
     if (!goes_on && joined_.empty()) return part;
     joined_ += goes_on ? part.substr(0, part.size() - 1) : part;
@@ -106,6 +103,8 @@ void ObjLineFilter::write(std::string_view line) {
   } else if (keyword == "mtllib") {
     keep_libraries(rest);
   } else if (keyword == "g" || keyword == "o" || keyword == "s") {
+    std::size_t& first = keyword == "s" ? statements_.first_smoothing_face : statements_.first_group_face;
+    first = std::min(first, statements_.face_lines.size());
     // Exporters write `s on` for group 1. A NUL would end the line early.
     out_.append(keyword).append(" ").append(keyword == "s" && rest == "on" ? "1" : rest);
     std::ranges::replace(out_, '\0', '?');
@@ -139,6 +138,7 @@ void ObjLineFilter::write_face(std::string_view rest) {
     const std::string_view corner = face_corner(word);
     if (corner.empty()) refuse(printable(word) + " is not a corner of a face");
     out_.append(" ").append(corner);
+    statements_.counts_back |= corner.find('-') != std::string_view::npos;
     ++count;
   }
   out_ += '\n';
@@ -152,6 +152,7 @@ void ObjLineFilter::write_face(std::string_view rest) {
 }
 
 void ObjLineFilter::write_material(std::string_view name) {
+  statements_.first_material_face = std::min(statements_.first_material_face, statements_.face_lines.size());
   auto known = material_ids_.find(name);
   if (known == material_ids_.end()) {
     known = material_ids_.emplace(std::string(name), statements_.material_names.size()).first;

@@ -9,8 +9,16 @@
 
 namespace vernier {
 
-/// What the filter took out of an OBJ text or counted in it. Lines count from 1.
+/// No face.
+inline constexpr std::size_t kNoFace = static_cast<std::size_t>(-1);
+
+/// What the filter took out of an OBJ text or counted in it. Lines count from 1, faces from 0.
 struct ObjStatements {
+  std::size_t lines = 0;
+  std::size_t first_group_face = kNoFace;               ///< the face behind the first `g` or `o`
+  std::size_t first_material_face = kNoFace;            ///< behind the first usemtl
+  std::size_t first_smoothing_face = kNoFace;           ///< behind the first `s`
+  bool counts_back = false;                             ///< an index of a face is negative
   std::vector<std::uint32_t> face_lines;                ///< line of each face, in file order
   std::vector<std::uint32_t> face_corner_counts;        ///< corners of each face, >= 3
   std::vector<std::string> material_names;              ///< of usemtl; tinyobj's material ids index it
@@ -22,18 +30,23 @@ struct ObjStatements {
   std::map<std::string, std::size_t> unknown_keywords;  ///< keyword and its first line; at most kUnknownKeywordCount
 };
 
+/// Most material libraries: each is a file to open, and no model has more.
+inline constexpr std::size_t kMaxLibraries = 256;
+
 /// Most unknown keywords that are kept by name: a binary file has no end of them.
 inline constexpr std::size_t kUnknownKeywordCount = 8;
 
 /// Hands an OBJ text to tinyobjloader line by line, with what version 2.0rc10 would read wrongly put right: lines
 /// joined at a trailing backslash, numbers that are none refused and NaN and infinity passed on as infinity (it reads
 /// them as 0), faces counted by corners (it keeps 8 bits of the count), names of materials and libraries kept whole (it
-/// cuts them at spaces and backslashes), lines and points taken out (it copies them again at every usemtl). Reading
-/// throws Error(refused) with `file` and line for a number or an index that is none.
+/// cuts them at spaces and backslashes), lines and points taken out (it copies them again at every usemtl). Behind the
+/// last line comes a face of three times the first vertex, which is not counted: it tells in what shape, with what
+/// material and smoothing the text ends. Reading throws Error(refused) with `file` and line for a number or an index
+/// that is none.
 class ObjLineFilter : public std::streambuf {
  public:
-  /// `file` names the text in errors.
-  ObjLineFilter(std::string file, std::string text);
+  /// `file` names the text in errors. `text` outlives the filter.
+  ObjLineFilter(std::string file, std::string_view text);
 
   /// The line that was handed on last, from 1; a joined line has the number of its last part.
   std::size_t line() const { return line_; }
@@ -54,7 +67,8 @@ class ObjLineFilter : public std::streambuf {
   [[noreturn]] void refuse(const std::string& what) const;
 
   std::string file_;
-  std::string text_;
+  std::string_view text_;
+  bool ended_ = false;
   std::size_t position_ = 0;
   std::size_t line_ = 0;
   std::string joined_;

@@ -1,137 +1,104 @@
 #include "scene/parse_obj.h"
 
-#include <tiny_obj_loader.h>
-
 #include <algorithm>
-#include <charconv>
-#include <istream>
-#include <span>
+#include <map>
+#include <optional>
+#include <utility>
 
 #include "error.h"
-#include "scene/obj_line_filter.h"
-#include "scene/polygon_triangles.h"
+#include "math/parallel_for.h"
+#include "scene/obj_faces.h"
+#include "scene/obj_part.h"
 
 namespace vernier {
 namespace {
 
-// Names here are the numbers that the filter gives to materials: the MTL files are read elsewhere.
-class NumberReader : public tinyobj::MaterialReader {
- public:
-  bool operator()(const std::string& name, std::vector<tinyobj::material_t>*, std::map<std::string, int>* ids,
-                  std::string*, std::string*) override {
-    int id = 0;
-    std::from_chars(name.data(), name.data() + name.size(), id);
-    ids->emplace(name, id);
-    return true;
-  }
-};
-
-struct ParsedObj {
-  tinyobj::attrib_t arrays;
-  std::vector<tinyobj::shape_t> shapes;
-  ObjStatements statements;
-};
-
-[[noreturn]] void refuse(const std::string& file, std::size_t line, const std::string& what) {
-  throw Error(ErrorKind::refused, file + ": line " + std::to_string(line) + ": " + what);
-}
-
-ParsedObj read_statements(const std::string& file, std::string text) {
-  ParsedObj parsed;
-  ObjLineFilter filter(file, std::move(text));
-  std::istream stream(&filter);
-  stream.exceptions(std::ios::badbit);  // without it the filter's errors are swallowed
-  NumberReader materials;
-  std::string warning;
-  std::string error;
-  // Triangulation stays off: it cuts concave quads along the wrong diagonal, and concave polygons away from the
-  // origin wrongly.
-  const bool done = tinyobj::LoadObj(&parsed.arrays, &parsed.shapes, nullptr, &warning, &error, &stream, &materials,
-                                     /*triangulate=*/false, /*default_vcols_fallback=*/true);
-  if (!done) refuse(file, filter.line(), "index 0 does not exist, indices count from 1 or back from -1");
-  parsed.statements = filter.statements();
-  return parsed;
-}
-
-void check_index(const std::string& file, std::size_t line, const char* what, int index, std::size_t count) {
-  if (index < -1 || index >= static_cast<std::int64_t>(count)) {
-    refuse(file, line,
-           std::string(what) + " " + std::to_string(std::int64_t{index} + 1) + " is beyond the " +
-               std::to_string(count) + " of the file");
-  }
-}
-
-void check_corner(const std::string& file, std::size_t line, const ObjCorner& corner, const ObjGeometry& geometry) {
-  if (corner.position == -1) refuse(file, line, "a vertex index counts back before the first vertex");
-  check_index(file, line, "vertex", corner.position, geometry.positions.size());
-  check_index(file, line, "texture vertex", corner.uv, geometry.uvs.size());
-  check_index(file, line, "normal", corner.normal, geometry.normals.size());
-}
-
 template <int N>
-std::vector<glm::vec<N, double>> vectors(const std::vector<double>& numbers) {
-  std::vector<glm::vec<N, double>> result(numbers.size() / N);
-  for (std::size_t i = 0; i < result.size(); ++i) {
-    for (int c = 0; c < N; ++c) result[i][c] = numbers[i * N + static_cast<std::size_t>(c)];
+void append_vectors(const std::vector<double>& numbers, std::vector<glm::vec<N, double>>& result) {
+  const std::size_t first = result.size();
+  result.resize(first + numbers.size() / N);
+  for (std::size_t i = first; i < result.size(); ++i) {
+    for (int c = 0; c < N; ++c) result[i][c] = numbers[(i - first) * N + static_cast<std::size_t>(c)];
   }
-  return result;
 }
 
-void copy_arrays(const tinyobj::attrib_t& arrays, ObjGeometry& geometry) {
-  geometry.positions = vectors<3>(arrays.vertices);
-  geometry.uvs = vectors<2>(arrays.texcoords);
-  geometry.normals = vectors<3>(arrays.normals);
-  const bool colored = std::ranges::any_of(arrays.colors, [](double c) { return c != 1.0; });
-  if (colored) geometry.colors = vectors<3>(arrays.colors);
+void append_arrays(const std::vector<ObjPart>& parts, ObjGeometry& geometry) {
+  bool colored = false;
+  for (const ObjPart& part : parts) {
+    append_vectors(part.arrays.vertices, geometry.positions);
+    append_vectors(part.arrays.texcoords, geometry.uvs);
+    append_vectors(part.arrays.normals, geometry.normals);
+    colored |= std::ranges::any_of(part.arrays.colors, [](double c) { return c != 1.0; });
+  }
+  if (!colored) return;
+  for (const ObjPart& part : parts) append_vectors(part.arrays.colors, geometry.colors);
 }
 
-// Walks the faces of all shapes in file order, the order in which the filter counted them.
-class FaceCutter {
- public:
-  FaceCutter(const std::string& file, const ObjStatements& statements, ObjGeometry& geometry)
-      : file_(file), statements_(statements), geometry_(geometry) {}
-
-  void add_shape(const tinyobj::shape_t& source) {
-    ObjShape shape{source.name, {}};
-    std::size_t first = 0;
-    for (std::size_t face = 0; face < source.mesh.material_ids.size(); ++face) {
-      const std::size_t count = statements_.face_corner_counts.at(face_);
-      const std::span<const tinyobj::index_t> indices = std::span(source.mesh.indices).subspan(first, count);
-      ObjTriangle pattern;
-      pattern.material = source.mesh.material_ids[face];
-      pattern.smoothing_group = source.mesh.smoothing_group_ids[face];
-      add_face(indices, pattern, shape.triangles);
-      first += count;
-      ++face_;
+/// Numbers the materials of all parts by their first use, and says what each part goes on with.
+std::vector<CarriedState> carry_states(const std::vector<ObjPart>& parts, ObjGeometry& geometry) {
+  std::map<std::string, int> numbers;
+  std::vector<CarriedState> states;
+  CarriedState state;
+  for (const ObjPart& part : parts) {
+    const ObjStatements& statements = part.statements;
+    state.material_of_number.clear();
+    for (const std::string& name : statements.material_names) {
+      const auto [found, is_new] = numbers.emplace(name, static_cast<int>(geometry.material_names.size()));
+      if (is_new) geometry.material_names.push_back(name);
+      state.material_of_number.push_back(found->second);
     }
-    if (!shape.triangles.empty()) geometry_.shapes.push_back(std::move(shape));
+    states.push_back(state);
+    state.lines += statements.lines;
+    if (part.last_material >= 0)
+      state.material = state.material_of_number[static_cast<std::size_t>(part.last_material)];
+    if (statements.first_smoothing_face != kNoFace) state.smoothing_group = part.last_smoothing_group;
   }
+  return states;
+}
 
- private:
-  void add_face(std::span<const tinyobj::index_t> indices, ObjTriangle pattern, std::vector<ObjTriangle>& triangles) {
-    corners_.clear();
-    points_.clear();
-    cuts_.clear();
-    for (const tinyobj::index_t& index : indices) {
-      corners_.push_back({index.vertex_index, index.texcoord_index, index.normal_index});
-      check_corner(file_, statements_.face_lines[face_], corners_.back(), geometry_);
-      points_.push_back(geometry_.positions[static_cast<std::size_t>(corners_.back().position)]);
+/// Appends the shapes of the parts, of which one may go on in the next.
+void append_shapes(const std::vector<ObjPart>& parts, std::vector<std::vector<ObjShape>> shapes_of_parts,
+                   ObjGeometry& geometry) {
+  std::string name;   // of the last `g` or `o`
+  bool open = false;  // the last shape goes on
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const std::size_t first_group_face = parts[i].statements.first_group_face;
+    std::size_t face = 0;
+    for (std::size_t k = 0; k < shapes_of_parts[i].size(); ++k) {
+      ObjShape& shape = shapes_of_parts[i][k];
+      if (face < first_group_face && open) {
+        std::vector<ObjTriangle>& before = geometry.shapes.back().triangles;
+        before.insert(before.end(), shape.triangles.begin(), shape.triangles.end());
+      } else {
+        if (face < first_group_face) shape.name = name;
+        geometry.shapes.push_back(std::move(shape));
+      }
+      open = true;
+      face += parts[i].shapes[k].mesh.material_ids.size();
     }
-    append_polygon_triangles(points_, cuts_);
-    for (const PolygonTriangle& cut : cuts_) {
-      for (std::size_t i = 0; i < 3; ++i) pattern.corners[i] = corners_[cut[i]];
-      triangles.push_back(pattern);
-    }
+    if (first_group_face == kNoFace) continue;
+    name = parts[i].last_shape;
+    open = parts[i].last_shape_has_faces;
   }
+}
 
-  const std::string& file_;
-  const ObjStatements& statements_;
-  ObjGeometry& geometry_;
-  std::size_t face_ = 0;
-  std::vector<ObjCorner> corners_;
-  std::vector<glm::dvec3> points_;
-  std::vector<PolygonTriangle> cuts_;
-};
+/// Adds what a part of the file, `lines_before` from its start, has beside its geometry.
+void append_statements(const ObjStatements& part, std::size_t lines_before, ObjStatements& sum) {
+  for (const std::string& library : part.material_libraries) {
+    if (std::ranges::find(sum.material_libraries, library) == sum.material_libraries.end())
+      sum.material_libraries.push_back(library);
+  }
+  if (sum.thin_element_count == 0) sum.thin_element_line = lines_before + part.thin_element_line;
+  sum.thin_element_count += part.thin_element_count;
+  if (sum.short_face_count == 0) sum.short_face_line = lines_before + part.short_face_line;
+  sum.short_face_count += part.short_face_count;
+  std::vector<std::pair<std::size_t, std::string>> unknown;
+  for (const auto& [keyword, line] : part.unknown_keywords) unknown.emplace_back(lines_before + line, keyword);
+  std::ranges::sort(unknown);
+  for (const auto& [line, keyword] : unknown) {
+    if (sum.unknown_keywords.size() < kUnknownKeywordCount) sum.unknown_keywords.emplace(keyword, line);
+  }
+}
 
 void note_left_out(const ObjStatements& statements, ObjGeometry& geometry) {
   if (statements.thin_element_count > 0) {
@@ -155,18 +122,53 @@ void note_left_out(const ObjStatements& statements, ObjGeometry& geometry) {
   }
 }
 
+ObjGeometry join_parts(const std::string& file, const std::vector<ObjPart>& parts) {
+  ObjGeometry geometry;
+  append_arrays(parts, geometry);
+  const std::vector<CarriedState> states = carry_states(parts, geometry);
+  std::vector<std::vector<ObjShape>> shapes(parts.size());
+  parallel_for(static_cast<unsigned>(parts.size()), parts.size(),
+               [&](std::size_t i) { shapes[i] = cut_faces(file, parts[i], states[i], geometry); });
+  append_shapes(parts, std::move(shapes), geometry);
+  ObjStatements statements;
+  for (std::size_t i = 0; i < parts.size(); ++i) append_statements(parts[i].statements, states[i].lines, statements);
+  geometry.material_libraries = statements.material_libraries;
+  note_left_out(statements, geometry);
+  return geometry;
+}
+
+/// Whether parts cannot be read by themselves: indices that count back do so over all that stands before.
+bool belong_together(const std::vector<ObjPart>& parts) {
+  std::size_t libraries = 0;
+  for (const ObjPart& part : parts) libraries += part.statements.material_libraries.size();
+  return libraries > kMaxLibraries ||
+         std::ranges::any_of(parts, [](const ObjPart& part) { return part.statements.counts_back; });
+}
+
+std::optional<ObjGeometry> parse_in_parts(const std::string& file, std::string_view text, std::size_t part_count) {
+  const std::vector<std::string_view> texts = split_obj(text, part_count);
+  std::vector<ObjPart> parts(texts.size());
+  try {
+    parallel_for(static_cast<unsigned>(texts.size()), texts.size(),
+                 [&](std::size_t i) { parts[i] = read_obj_part(file, texts[i]); });
+    if (belong_together(parts)) return std::nullopt;
+    return join_parts(file, parts);
+  } catch (const Error&) {
+    return std::nullopt;  // read as a whole the first fault comes first, with its line in the file
+  }
+}
+
 }  // namespace
 
-ObjGeometry parse_obj(const std::string& file, std::string text) {
-  const ParsedObj parsed = read_statements(file, std::move(text));
-  ObjGeometry geometry;
-  copy_arrays(parsed.arrays, geometry);
-  FaceCutter cutter(file, parsed.statements, geometry);
-  for (const tinyobj::shape_t& shape : parsed.shapes) cutter.add_shape(shape);
-  geometry.material_names = parsed.statements.material_names;
-  geometry.material_libraries = parsed.statements.material_libraries;
-  note_left_out(parsed.statements, geometry);
-  return geometry;
+ObjGeometry parse_obj(const std::string& file, std::string_view text, std::size_t part_count) {
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+  if (part_count > 1) {
+    if (std::optional<ObjGeometry> geometry = parse_in_parts(file, text, part_count)) return std::move(*geometry);
+  }
+  std::vector<ObjPart> whole;
+  whole.push_back(read_obj_part(file, text));
+  return join_parts(file, whole);
 }
 
 }  // namespace vernier

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace vernier {
@@ -41,9 +42,10 @@ struct ObjGeometry {
   std::vector<std::string> faults;              ///< one line each: what was left out because it is wrong
 };
 
-/// Parses the OBJ text `text` with tinyobjloader, polygons cut into triangles. `file` names it in errors.
+/// Parses the OBJ text `text` with tinyobjloader, polygons cut into triangles. `file` names it in errors. It is read
+/// in `part_count` parts at a time, each by a thread of its own; the geometry is the same for any number.
 /// A number that is not finite arrives as infinity or NaN. Throws Error(refused) with line for what is no number, no
 /// index, or an index that is 0 or beyond the arrays.
-ObjGeometry parse_obj(const std::string& file, std::string text);
+ObjGeometry parse_obj(const std::string& file, std::string_view text, std::size_t part_count = 1);
 
 }  // namespace vernier
