@@ -3,6 +3,7 @@
 #ifndef VERNIER_TRAVERSAL_STACK_GLSL
 #define VERNIER_TRAVERSAL_STACK_GLSL
 
+#include "shared/accuracy.h"
 #include "shared/glsl.h"
 #include "shared/specialization_ids.h"
 
@@ -32,8 +33,8 @@ THREAD_PRIVATE uint g0, g1, g2, g3, g4, g5, g6, g7, g8, g9, g10, g11, g12, g13, 
   MOVE_ENTRY(23, g22, g23)
 
 // The shifted stack needs no count: what lies below its lowest entry is 0, which no group is. One with instances is counted
-// all the same, since the way back out of them hangs on the count.
-bool counts_stack() { return !SHIFT_STACK || INSTANCED; }
+// all the same, since the way back out of them hangs on the count, and so is one that a seeded fault makes too short.
+bool counts_stack() { return !SHIFT_STACK || INSTANCED || mutated(MUTATION_SHORT_STACK); }
 
 bool stack_is_empty(IN(uint) count) { return counts_stack() ? count == 0u : g0 == 0u; }
 
