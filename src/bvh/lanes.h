@@ -54,7 +54,7 @@ inline Box box_from(const LaneBox& box) {
 
 /// Half the surface of `box` times scale squared. Meaningless for an empty box: ask only for those that hold something.
 inline float scaled_half_area(const LaneBox& box, float scale) {
-  // What lies in lane 3 is no number to multiply: as a denormal it would take Intel's CPUs 150 cycles.
+  // Lane 3 may hold a triangle's index, as a float a denormal, and those Intel's CPUs multiply slowly.
   const Lanes side = without_lane_3(box.hi - box.lo) * scale;
   const Lanes products = side * __builtin_shufflevector(side, side, 1, 2, 0, 3);
   return products[0] + products[1] + products[2];
