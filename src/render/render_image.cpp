@@ -10,6 +10,7 @@
 #include "render/gpu_scene.h"
 #include "render/pack_scene.h"
 #include "render/read_film.h"
+#include "render/tile_schedule.h"
 #include "render/trace_aovs.h"
 #include "render/trace_film.h"
 
@@ -156,6 +157,7 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
     statistics.saved.aov_bytes = Film::aov_bytes(area);
   }
   RenderSettings scheduled = settings;
+  scheduled.first_pass = choose_first_pass(area);
   if (callbacks.resumed) {
     resume(device, *callbacks.resumed, film);
     scheduled.tile = callbacks.resumed->position.tile;

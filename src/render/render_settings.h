@@ -68,6 +68,7 @@ struct RenderSettings {
   double dispatch_ms = 100.0;       ///< time budget of one submission
   BuildMethod bvh = BuildMethod::standard;
   TraversalForm traversal = TraversalForm::automatic;  ///< never changes a bit
+  std::uint32_t first_pass = 1;        ///< samples of the first pass over all pixels. Never changes a bit
   std::optional<double> error_target;  ///< sqrt(relMSE) at which sampling stops; spp is then the most of a pixel
   double time_limit_s = std::numeric_limits<double>::infinity();
   std::uint32_t seed = 0;

@@ -23,9 +23,10 @@ std::vector<PixelRect> schedule_tiles(const PixelRect& area, glm::ivec2 tile, in
   return tiles;
 }
 
-std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end, std::uint32_t most) {
+std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end, std::uint32_t first,
+                                        std::uint32_t most) {
   std::vector<SamplePass> passes;
-  std::uint32_t length = 1;
+  std::uint32_t length = std::min({first, kMostSamplesPerPass, most});
   for (std::uint32_t next = begin; next < end;) {
     const std::uint32_t pass_end = next + std::min(length, end - next);
     passes.push_back({next, pass_end});
@@ -33,6 +34,11 @@ std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end, 
     next = pass_end;
   }
   return passes;
+}
+
+std::uint32_t choose_first_pass(const PixelRect& area) {
+  const std::int64_t pixels = std::max<std::int64_t>(static_cast<std::int64_t>(area.width) * area.height, 1);
+  return static_cast<std::uint32_t>(std::clamp<std::int64_t>((std::int64_t{1} << 20) / pixels, 1, 4));
 }
 
 std::uint32_t choose_search_budget(double wanted_ms, double ms_per_search, std::uint32_t invocations) {

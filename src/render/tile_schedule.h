@@ -23,9 +23,14 @@ struct SamplePass {
 /// Samples of the longest pass.
 constexpr std::uint32_t kMostSamplesPerPass = 16;
 
-/// Passes that together take samples [begin, end) of every pixel: 1, 4, then 16 at once but never more than `most` (at
-/// least 1), so that a whole image is there early and after each pass.
-std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end, std::uint32_t most);
+/// Passes that together take samples [begin, end) of every pixel: `first`, each 4 times the one before, 16 at once but
+/// never more than `most` (both at least 1), so that a whole image is there early and after each pass.
+std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end, std::uint32_t first,
+                                        std::uint32_t most);
+
+/// Samples of the first pass over `area` that nobody watches: 1 to 4, a million altogether where that many fit. Every
+/// pass ends with lanes that wait for the last paths.
+std::uint32_t choose_first_pass(const PixelRect& area);
 
 /// How many searches each of `invocations` may make in the next dispatch before it takes no further job, so that the
 /// dispatch takes about `wanted_ms` at `ms_per_search` (both above 0): at least 1, at most 1024.

@@ -48,7 +48,8 @@ class TraceRun {
         settings_(settings),
         callbacks_(callbacks),
         tiles_(tracer.tiles(area)),
-        passes_(schedule_passes(settings.sample_begin, settings.sample_end, tracer.most_samples())),
+        passes_(
+            schedule_passes(settings.sample_begin, settings.sample_end, settings.first_pass, tracer.most_samples())),
         position_(position) {
     check_position();
     share_before_ = share();

@@ -56,7 +56,7 @@ TEST(SamplePasses, follow_one_another_and_grow_to_sixteen) {
        std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 1}, {0, 100}, {7, 9}, {5, 1000}}) {
     std::uint32_t next = begin;
     std::uint32_t length = 0;
-    for (const SamplePass& pass : schedule_passes(begin, end, 100)) {
+    for (const SamplePass& pass : schedule_passes(begin, end, 1, 100)) {
       EXPECT_EQ(pass.begin, next);
       EXPECT_GT(pass.end, pass.begin);
       EXPECT_LE(pass.end - pass.begin, 16u);
@@ -66,10 +66,19 @@ TEST(SamplePasses, follow_one_another_and_grow_to_sixteen) {
     }
     EXPECT_EQ(next, end);
   }
-  EXPECT_TRUE(schedule_passes(4, 4, 100).empty());
-  EXPECT_EQ(schedule_passes(0, 16, 100).size(), 3u);  // 1, 4, 11
-  EXPECT_EQ(schedule_passes(0, 16, 5).size(), 5u);    // 1, 4, 5, 5, 1
-  EXPECT_EQ(schedule_passes(0, 3, 1).size(), 3u);
+  EXPECT_TRUE(schedule_passes(4, 4, 1, 100).empty());
+  EXPECT_EQ(schedule_passes(0, 16, 1, 100).size(), 3u);  // 1, 4, 11
+  EXPECT_EQ(schedule_passes(0, 16, 4, 100).size(), 2u);  // 4, 12
+  EXPECT_EQ(schedule_passes(0, 16, 1, 5).size(), 5u);    // 1, 4, 5, 5, 1
+  EXPECT_EQ(schedule_passes(0, 3, 4, 1).size(), 3u);
+}
+
+TEST(FirstPass, takes_more_samples_where_the_picture_is_small) {
+  EXPECT_EQ(choose_first_pass({0, 0, 1280, 720}), 1u);
+  EXPECT_EQ(choose_first_pass({3, 5, 640, 512}), 3u);
+  EXPECT_EQ(choose_first_pass({0, 0, 512, 512}), 4u);
+  EXPECT_EQ(choose_first_pass({0, 0, 1, 1}), 4u);
+  EXPECT_EQ(choose_first_pass({0, 0, 65535, 65535}), 1u);
 }
 
 TEST(SearchBudget, spreads_the_time_wanted_over_the_invocations) {
