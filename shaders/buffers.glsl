@@ -1,5 +1,5 @@
 // Sole owner of bindings. With LOADS_TEXELS the scene's arrays, the film and the samples are read through storage texel
-// buffers, else through storage buffers.
+// buffers, else through storage buffers. With RAY_QUERIES there is the driver's tree too.
 #ifndef VERNIER_BUFFERS_GLSL
 #define VERNIER_BUFFERS_GLSL
 
@@ -48,6 +48,10 @@ uvec4 load_texture(uint i) { return texture_texels[i]; }
 uint load_texel(uint i) { return texel_words[i]; }
 uint load_first_triangle(uint i) { return first_triangle_words[i]; }
 uvec4 load_instance(uint i) { return instance_texels[i]; }
+#endif
+
+#ifdef RAY_QUERIES
+layout(set = 0, binding = BINDING_BOX_TREE) uniform accelerationStructureEXT box_tree;
 #endif
 
 layout(set = 0, binding = BINDING_FILM, scalar) buffer Film { uvec4 film_blocks[]; };

@@ -1,6 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#ifdef RAY_QUERIES
+#extension GL_EXT_ray_query : require
+#endif
 
 #include "shared/glsl.h"
 #include "specialization.glsl"

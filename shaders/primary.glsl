@@ -6,7 +6,7 @@
 #include "shared/film_layout.h"
 #include "path.glsl"
 #include "shading_terms.glsl"
-#include "traverse_bvh.glsl"
+#include "search_scene.glsl"
 
 void store_aov_vector(IN(uint) first, IN(vec3) v) {
   store_aov(first, floatBitsToUint(v.x));
@@ -21,7 +21,7 @@ Hit first_visible_hit(IN(Ray) ray) {
   uint after_triangle = NONE;
   bool looking = true;
   for (uint i = 0u; looking && i < LOOP_ROUND_LIMIT; i++) {
-    hit = traverse_bvh(Search(ray, t_min, after_triangle, LARGEST_FLOAT, false)).hit;
+    hit = search_scene(Search(ray, t_min, after_triangle, LARGEST_FLOAT, false)).hit;
     looking = false;
     if (rays_pass_hits() && hit.triangle != NONE) {
       TrianglePoint point = triangle_point(ray, hit);

@@ -1,6 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#ifdef RAY_QUERIES
+#extension GL_EXT_ray_query : require
+#endif
 #ifdef TAKES_JOBS_TOGETHER
 #extension GL_KHR_shader_subgroup_ballot : require
 #endif

@@ -88,7 +88,7 @@ void trace_jobs(IN(uint) invocation) {
       begin_path(path, job);
       counts.primary += path.job != NONE ? 1u : 0u;
     }
-    Found found = traverse_bvh(path_search(path));
+    Found found = search_scene(path_search(path));
     if (path.job != NONE) {
       going = go_on(place, path, found, counts);
       searches += going ? 1u : 0u;

@@ -8,7 +8,7 @@
 #include "environment.glsl"
 #include "scatter_direction.glsl"
 #include "transmittance.glsl"
-#include "traverse_bvh.glsl"
+#include "search_scene.glsl"
 
 // Rays that follow from a hit; a weight of 0 means none.
 struct Children {

@@ -6,6 +6,7 @@
 #include "intersect_box.glsl"
 #include "intersect_triangle.glsl"
 #include "loop_limit.glsl"
+#include "search.glsl"
 
 // The rest of a node's hit children: child base << 8 | count << 6 | up to three 2-bit slots, the next one lowest.
 uint group_count(IN(uint) group) { return (group >> 6) & 3u; }
@@ -49,24 +50,6 @@ void advance(INOUT(Cursor) cursor, IN(bool) descend, IN(ivec4) entries, IN(uint)
   cursor.record = down ? child_base + uint(entries.x & 3) : group_next(cursor.group);
   cursor.group = down ? rest : without_next(cursor.group);
 }
-
-// What a ray is asked.
-struct Search {
-  Ray ray;
-  float t_min;          // hits come after (t_min, after_triangle)
-  uint after_triangle;
-  float t_max;          // and have t < t_max, at most LARGEST_FLOAT
-  bool stop_at_opaque;  // any hit ends the search whose triangle lets nothing pass (it need not be the closest)
-};
-
-// What a search found, and what it took.
-struct Found {
-  Hit hit;         // the closest, or no_hit(t_max); while searching its record says too whether it lets something pass
-  bool is_opaque;  // its triangle lets nothing pass
-  bool finished;   // false: cut off by a loop limit, the answer may not be used
-  uint nodes;      // visited, with COUNT_COST
-  uint triangles;  // tested, with COUNT_COST
-};
 
 // A ray as a tree sees it.
 struct TreeRay {

@@ -1,6 +1,9 @@
 #version 460
 #extension GL_GOOGLE_include_directive : require
 #extension GL_EXT_scalar_block_layout : require
+#ifdef RAY_QUERIES
+#extension GL_EXT_ray_query : require
+#endif
 
 // Traces rays from a buffer with the functions that render: what `vernier verify` tests is what runs.
 
@@ -10,7 +13,7 @@
 #include "traversal_stack.glsl"
 #include "shared/verify_rays.h"
 #include "spawn_ray.glsl"
-#include "traverse_bvh.glsl"
+#include "search_scene.glsl"
 
 layout(local_size_x = 64) in;
 layout(constant_id = SPECIALIZATION_FUNCTION) const uint FUNCTION = VERIFY_CLOSEST;
@@ -43,7 +46,7 @@ void main() {
   uint previous = 0u;
   bool again = true;
   for (uint round = 0u; again && round < VERIFY_HIT_LIMIT; round++) {
-    Found found = traverse_bvh(search);
+    Found found = search_scene(search);
     if (round == 0u) answer = first_answer(found);
     answer.finished = found.finished ? answer.finished : 0u;
     again = found.finished && found.hit.triangle != NONE;

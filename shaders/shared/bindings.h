@@ -22,5 +22,6 @@
 #define BINDING_INSTANCES 17   // uvec4, INSTANCE_TEXELS per instance of a shared mesh (instance_layout.h)
 #define BINDING_FILM_TEXELS 18    // the memory of BINDING_FILM, read as uvec4 texels (buffers.glsl, LOADS_TEXELS)
 #define BINDING_SAMPLE_TEXELS 19  // the memory of BINDING_SAMPLES, likewise
+#define BINDING_BOX_TREE 20       // the driver's tree over the boxes of the records, which are triangles alone (RAY_QUERIES)
 
 #endif

@@ -10,9 +10,9 @@ using glm::uint;
 using glm::vec3;
 #endif
 
-#define BINDING_QUERIES 20  // RayQuery; above those of a render, shared/bindings.h
-#define BINDING_ANSWERS 21  // RayAnswer
-#define BINDING_CORNERS 22  // verify_triangles.comp: BVH records, uvec4, 3 per record
+#define BINDING_QUERIES 30  // RayQuery; above those of a render, shared/bindings.h
+#define BINDING_ANSWERS 31  // RayAnswer
+#define BINDING_CORNERS 32  // verify_triangles.comp: BVH records, uvec4, 3 per record
 
 // What verify_rays.comp does with a ray.
 #define VERIFY_CLOSEST 0u   // one search

@@ -1,12 +1,12 @@
 #include "bvh/encode_bvh.h"
 
 #include <algorithm>
-#include <bit>
 #include <string>
 #include <vector>
 
 #include "bvh/box.h"
 #include "bvh/quantize_node.h"
+#include "bvh/triangle_record.h"
 #include "error.h"
 #include "math/parallel_for.h"
 #include "shared/bvh_record.h"
@@ -66,7 +66,8 @@ class Encoder {
       const auto [child, leaf_count] = wide.children[i];
       const std::uint32_t record = task.first_below + i;
       if (is_leaf(child)) {
-        records_[record] = triangle_record(triangles_[leaf_triangle(child)]);
+        const BvhTriangle& triangle = triangles_[leaf_triangle(child)];
+        records_[record] = triangle_record(triangle, not_opaque_ && not_opaque_(triangle.id));
       } else {
         tasks.push_back({child, leaf_count, record, firsts_below[i], task.depth + 1});
       }
@@ -105,17 +106,6 @@ class Encoder {
     WideChildren single;
     single.children[single.count++] = {task.node, 1};
     return single;
-  }
-
-  BvhRecord triangle_record(const BvhTriangle& triangle) const {
-    const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
-    const bool may_pass = not_opaque_ && not_opaque_(triangle.id);
-    return {bits(triangle.v0.x), bits(triangle.v0.y),
-            bits(triangle.v0.z), BVH_TRIANGLE | (may_pass ? BVH_TRIANGLE_NOT_OPAQUE : 0u),
-            bits(triangle.v1.x), bits(triangle.v1.y),
-            bits(triangle.v1.z), 0u,
-            bits(triangle.v2.x), bits(triangle.v2.y),
-            bits(triangle.v2.z), triangle.id};
   }
 
   const BinaryTree& tree_;

@@ -64,8 +64,7 @@ void parse_choices(const RenderArguments& arguments, RenderSettings& settings) {
                                          std::array{TextureFilter::file, TextureFilter::nearest, TextureFilter::linear},
                                          "file, nearest or linear");
   settings.bvh = parse_choice("--bvh", arguments.bvh, kBuildMethods, "fast, default or quality");
-  settings.traversal = parse_choice("--traversal", arguments.traversal, kTraversalForms,
-                                    "auto, texels-shifted, texels-array, storage-shifted or storage-array");
+  settings.traversal = parse_traversal(arguments.traversal);
 }
 
 void check_crop(const RenderSettings& settings) {
@@ -166,17 +165,26 @@ void add_bvh_option(CLI::App& app, std::string& bvh) {
       ->type_name("METHOD");
 }
 
+void add_traversal_option(CLI::App& app, std::string& traversal) {
+  app.add_option("--traversal", traversal,
+                 "how rays read the scene and keep their stack: auto (texels-shifted on llvmpipe, else storage-array), "
+                 "texels-shifted, texels-array, storage-shifted or storage-array; or ray-query: by the driver's own "
+                 "tree, where it has ray queries; never changes a bit of the image (default: auto)")
+      ->type_name("FORM");
+}
+
+TraversalForm parse_traversal(const std::string& text) {
+  return parse_choice("--traversal", text, kTraversalForms,
+                      "auto, texels-shifted, texels-array, storage-shifted, storage-array or ray-query");
+}
+
 void add_dispatch_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--tile", arguments.tile, "pixels of a submission; never changes a bit of the image (default: chosen)")
       ->type_name("WxH");
   app.add_option("--dispatch-ms", arguments.dispatch_ms,
                  "time budget of one submission, milliseconds, 1 to 60000 (default: 100)")
       ->type_name("N");
-  app.add_option("--traversal", arguments.traversal,
-                 "how rays read the scene and keep their stack: auto (texels-shifted on llvmpipe, else storage-array), "
-                 "texels-shifted, texels-array, storage-shifted or storage-array; never changes a bit of the image "
-                 "(default: auto)")
-      ->type_name("FORM");
+  add_traversal_option(app, arguments.traversal);
 }
 
 void add_render_options(CLI::App& app, RenderArguments& arguments) {

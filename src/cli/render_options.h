@@ -60,6 +60,12 @@ void add_aov_option(CLI::App& app, std::string& aov);
 /// Adds --bvh.
 void add_bvh_option(CLI::App& app, std::string& bvh);
 
+/// Adds --traversal.
+void add_traversal_option(CLI::App& app, std::string& traversal);
+
+/// The form that --traversal says. Throws Error(usage) with the names there are.
+TraversalForm parse_traversal(const std::string& text);
+
 /// Adds --tile, --dispatch-ms and --traversal, which change no bit.
 void add_dispatch_options(CLI::App& app, RenderArguments& arguments);
 

@@ -6,10 +6,12 @@
 
 #include "cli/commands.h"
 #include "cli/output_file.h"
+#include "cli/render_options.h"
 #include "cli/scene_setup.h"
 #include "error.h"
 #include "image/whole_file.h"
 #include "render/pipeline_file.h"
+#include "render/traversal_form.h"
 #include "verify/mutations.h"
 #include "verify/verify_report.h"
 
@@ -25,6 +27,7 @@ struct VerifyArguments {
   std::string mutation;
   std::string json_file;
   std::string device;
+  std::string traversal = "auto";
   bool with_costs = true;
 };
 
@@ -47,6 +50,7 @@ CaseSetup case_setup(const VerifyArguments& arguments) {
   CaseSetup setup;
   set_level(setup, arguments.level);
   setup.seed = arguments.seed;
+  setup.traversal = parse_traversal(arguments.traversal);
   setup.sample_count = arguments.rays;
   if (arguments.rays == 0) throw Error(ErrorKind::usage, "--rays: at least one is needed");
   if (arguments.sample) {
@@ -95,6 +99,7 @@ void write_json(const std::string& file, const nlohmann::json& json) {
 bool run_suite(const VerifyArguments& arguments, const CaseSetup& setup, const DeviceReport& device,
                const std::vector<const VerifyCase*>& cases) {
   std::string again = arguments.level == "robust" ? "" : " --level " + arguments.level;
+  if (arguments.traversal != "auto") again += " --traversal " + arguments.traversal;
   if (!arguments.device.empty()) again += " --device " + arguments.device;
   bool held = true;
   std::vector<CaseReport> reports;
@@ -139,6 +144,7 @@ int run_verify(const VerifyArguments& arguments) {
   const DeviceDescription description = choose_device(list_devices(instance), arguments.device);
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
   setup.device = &device.device();
+  require_loads(description, choose_scene_loads(description, setup.traversal));
   const DeviceReport report{description, probe_device(device.device()), ""};
   say(describe_devices({&report, 1}) + "\n");
   const bool good =
@@ -173,6 +179,7 @@ void add_verify_command(CLI::App& app, Command& chosen) {
                    "times a picture at each level of each spot, when all cases run (default: on)");
   command.add_option("--device", arguments->device, "device by index or part of its name (default: the best)")
       ->type_name("INDEX|NAME");
+  add_traversal_option(command, arguments->traversal);
   command.footer("Example: vernier verify --case shared_edge --rays 1000000");
   command.callback([arguments, &chosen] { chosen = [arguments] { return run_verify(*arguments); }; });
 }

@@ -36,6 +36,14 @@ UseTraits traits_of(BufferUse use) {
       return {"texel buffer", Usage::eStorageTexelBuffer, vk::Format::eR32Uint, 4};
     case BufferUse::storage_and_texels:
       return {"storage buffer", Usage::eStorageBuffer | Usage::eStorageTexelBuffer, vk::Format::eR32G32B32A32Uint, 16};
+    case BufferUse::tree_input:
+      return {"buffer of boxes", Usage::eAccelerationStructureBuildInputReadOnlyKHR | Usage::eShaderDeviceAddress,
+              vk::Format::eUndefined, 0};
+    case BufferUse::tree_storage:
+      return {"tree of boxes", Usage::eAccelerationStructureStorageKHR | Usage::eShaderDeviceAddress,
+              vk::Format::eUndefined, 0};
+    case BufferUse::tree_scratch:
+      return {"scratch buffer", Usage::eStorageBuffer | Usage::eShaderDeviceAddress, vk::Format::eUndefined, 0};
     case BufferUse::storage:
     case BufferUse::storage_host_visible:
       break;
@@ -64,7 +72,8 @@ void check_limits(const Device& device, const UseTraits& traits, BufferUse use, 
                  std::to_string(limits.max_texel_buffer_elements) + " the device allows");
     }
   }
-  if (traits.usage & vk::BufferUsageFlagBits::eStorageBuffer) {
+  // Scratch memory is a storage buffer that is never bound.
+  if (traits.usage & vk::BufferUsageFlagBits::eStorageBuffer && use != BufferUse::tree_scratch) {
     bound(limits.max_storage_buffer_range_bytes, "the device allows");
   }
   bound(limits.max_allocation_bytes, "the device allocates at most");
@@ -98,8 +107,11 @@ vk::raii::DeviceMemory allocate(const Device& device, const UseTraits& traits, c
   const std::uint64_t heap_bytes = memory.memoryHeaps[memory.memoryTypes[type].heapIndex].size;
   const std::string has = "the device's memory has " + std::to_string(heap_bytes) + " bytes";
   if (needs.size > heap_bytes) refuse(device, traits, needs.size, has);
+  vk::MemoryAllocateInfo allocation(needs.size, type);
+  const vk::MemoryAllocateFlagsInfo has_address(vk::MemoryAllocateFlagBits::eDeviceAddress);
+  if (traits.usage & vk::BufferUsageFlagBits::eShaderDeviceAddress) allocation.pNext = &has_address;
   try {
-    return device.vk().allocateMemory(vk::MemoryAllocateInfo(needs.size, type));
+    return device.vk().allocateMemory(allocation);
   } catch (const vk::OutOfDeviceMemoryError&) {
     refuse(device, traits, needs.size, has + " in all, not enough of them free");
   } catch (const vk::OutOfHostMemoryError&) {
@@ -141,6 +153,10 @@ Buffer::Buffer(const Device& device, std::uint64_t size_bytes, BufferUse use) : 
   // llvmpipe's memory is the host's: rays that jump about in it wait for the tables of small pages.
   if (device.description().is_llvmpipe) wish_for_large_pages(mapped_);
   clear(device);
+}
+
+vk::DeviceAddress Buffer::address(const Device& device) const {
+  return device.vk().getBufferAddress(vk::BufferDeviceAddressInfo(*buffer_));
 }
 
 void Buffer::upload(const Device& device, std::span<const std::byte> bytes, std::uint64_t offset_bytes) {

@@ -11,12 +11,15 @@ namespace vernier {
 
 /// How shaders see a buffer, and where it lies.
 enum class BufferUse {
-  storage,              ///< read and written as a storage buffer, on the device
-  storage_and_texels,   ///< the same, and read as a storage texel buffer of uvec4
-  uniform,              ///< a uniform buffer, on the device
-  texels_rgba32ui,      ///< read as a storage texel buffer of uvec4, on the device
-  texels_r32ui,         ///< read as a storage texel buffer of uint, on the device
-  storage_host_visible  ///< a storage buffer the host maps and reads and writes between submissions (counters)
+  storage,               ///< read and written as a storage buffer, on the device
+  storage_and_texels,    ///< the same, and read as a storage texel buffer of uvec4
+  uniform,               ///< a uniform buffer, on the device
+  texels_rgba32ui,       ///< read as a storage texel buffer of uvec4, on the device
+  texels_r32ui,          ///< read as a storage texel buffer of uint, on the device
+  storage_host_visible,  ///< a storage buffer the host maps and reads and writes between submissions (counters)
+  tree_input,            ///< what a driver builds a tree from, by its address (box_tree.h)
+  tree_storage,          ///< where it puts the tree
+  tree_scratch           ///< where it builds
 };
 
 /// Device memory with one use. Owns it; movable.
@@ -32,6 +35,8 @@ class Buffer {
   const vk::raii::Buffer& vk() const { return buffer_; }
   /// The texel view; only of uses with texels.
   const vk::raii::BufferView& view() const { return view_; }
+  /// Where it lies on the device; only of uses for trees.
+  vk::DeviceAddress address(const Device& device) const;
   /// The mapped bytes; only of storage_host_visible (else empty), valid between submissions.
   std::span<std::byte> mapped() const {
     return use_ == BufferUse::storage_host_visible ? mapped_ : std::span<std::byte>();

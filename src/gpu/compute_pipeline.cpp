@@ -6,6 +6,7 @@ namespace vernier {
 namespace {
 
 vk::DescriptorType descriptor_type(const Binding& binding) {
+  if (binding.tree != nullptr) return vk::DescriptorType::eAccelerationStructureKHR;
   switch (binding.buffer->use()) {
     case BufferUse::uniform:
       return vk::DescriptorType::eUniformBuffer;
@@ -17,6 +18,9 @@ vk::DescriptorType descriptor_type(const Binding& binding) {
       break;
     case BufferUse::storage:
     case BufferUse::storage_host_visible:
+    case BufferUse::tree_input:
+    case BufferUse::tree_storage:
+    case BufferUse::tree_scratch:
       break;
   }
   return vk::DescriptorType::eStorageBuffer;
@@ -36,6 +40,21 @@ vk::raii::PipelineLayout create_layout(const Device& device, const vk::Descripto
   vk::PipelineLayoutCreateInfo create({}, set_layout);
   if (push_constant_bytes != 0) create.setPushConstantRanges(push_constants);
   return device.vk().createPipelineLayout(create);
+}
+
+void write_binding(const Device& device, vk::DescriptorSet set, const Binding& binding) {
+  vk::WriteDescriptorSet write(set, binding.binding, 0, 1, descriptor_type(binding));
+  if (binding.tree != nullptr) {
+    const vk::WriteDescriptorSetAccelerationStructureKHR tree(*binding.tree->vk());
+    write.pNext = &tree;
+    device.vk().updateDescriptorSets(write, nullptr);
+    return;
+  }
+  const vk::DescriptorBufferInfo whole(*binding.buffer->vk(), 0, VK_WHOLE_SIZE);
+  const vk::BufferView view = *binding.buffer->view();
+  write.pBufferInfo = &whole;
+  write.pTexelBufferView = &view;
+  device.vk().updateDescriptorSets(write, nullptr);
 }
 
 }  // namespace
@@ -74,14 +93,7 @@ BindingSet::BindingSet(const Device& device, const ComputePipeline& pipeline, st
     const vk::DescriptorSetLayout layout = *pipeline.set_layout();
     const vk::DescriptorSetAllocateInfo allocate(*pool_, layout);
     set_ = (*device.vk()).allocateDescriptorSets(allocate, *device.vk().getDispatcher()).front();
-    for (const Binding& binding : bindings) {
-      const vk::DescriptorBufferInfo whole(*binding.buffer->vk(), 0, VK_WHOLE_SIZE);
-      const vk::BufferView view = *binding.buffer->view();
-      vk::WriteDescriptorSet write(set_, binding.binding, 0, 1, descriptor_type(binding));
-      write.pBufferInfo = &whole;
-      write.pTexelBufferView = &view;
-      device.vk().updateDescriptorSets(write, nullptr);
-    }
+    for (const Binding& binding : bindings) write_binding(device, set_, binding);
   });
 }
 

@@ -6,16 +6,18 @@
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
+#include "gpu/box_tree.h"
 #include "gpu/buffer.h"
 #include "gpu/device.h"
 
 namespace vernier {
 
-/// A buffer at a binding number of set 0. The descriptor type follows from the buffer's use.
+/// A buffer or a tree at a binding number of set 0. The descriptor type follows from the buffer's use.
 struct Binding {
   std::uint32_t binding = 0;
   const Buffer* buffer = nullptr;
-  bool as_texels = false;  ///< of a buffer with both uses: its texel view is bound
+  bool as_texels = false;         ///< of a buffer with both uses: its texel view is bound
+  const BoxTree* tree = nullptr;  ///< instead of a buffer
 };
 
 /// Value of a specialization constant; floats and bools travel as their bits.

@@ -31,6 +31,7 @@ void describe_limits(std::ostringstream& out, const DeviceDescription& device) {
   line(out, "storage buffers of a shader", std::to_string(device.max_storage_buffers));
   line(out, "invocations of a workgroup", std::to_string(device.max_workgroup_invocations));
   line(out, "invocations of a subgroup", std::to_string(device.subgroup_size));
+  line(out, "ray queries", yes_no(device.ray_query));
   std::ostringstream period;
   period << device.timestamp_period_ns << " ns";
   line(out, "timestamps", device.timestamps ? period.str() : "none");
@@ -78,6 +79,7 @@ nlohmann::json report_json(const DeviceReport& report) {
           {"unusable_reason", device.unusable_reason},
           {"is_cpu", device.is_cpu},
           {"is_llvmpipe", device.is_llvmpipe},
+          {"ray_query", device.ray_query},
           {"float64", device.float64},
           {"device_memory_bytes", device.device_memory_bytes},
           {"max_allocation_bytes", device.max_allocation_bytes},

@@ -1,13 +1,20 @@
 #include "gpu/device.h"
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <optional>
+#include <string_view>
 
 #include "error.h"
 
 namespace vernier {
 namespace {
+
+// Ray queries, and what they ask for.
+constexpr std::array kRayQueryExtensions = {VK_KHR_RAY_QUERY_EXTENSION_NAME,
+                                            VK_KHR_ACCELERATION_STRUCTURE_EXTENSION_NAME,
+                                            VK_KHR_DEFERRED_HOST_OPERATIONS_EXTENSION_NAME};
 
 std::optional<std::uint32_t> compute_queue_family(const vk::raii::PhysicalDevice& physical) {
   const std::vector<vk::QueueFamilyProperties> families = physical.getQueueFamilyProperties();
@@ -86,6 +93,46 @@ void describe_vulkan_12(const vk::raii::PhysicalDevice& physical, DeviceDescript
   }
 }
 
+/// Whether a device of version 1.2 has ray queries.
+bool has_ray_query(const vk::raii::PhysicalDevice& physical) {
+  const std::vector<vk::ExtensionProperties> offered = physical.enumerateDeviceExtensionProperties();
+  for (const std::string_view wanted : kRayQueryExtensions) {
+    const auto is_wanted = [&](const vk::ExtensionProperties& one) { return wanted == one.extensionName.data(); };
+    if (std::ranges::none_of(offered, is_wanted)) return false;
+  }
+  const auto features =
+      physical
+          .getFeatures2<vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
+                        vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayQueryFeaturesKHR>();
+  return features.get<vk::PhysicalDeviceVulkan12Features>().bufferDeviceAddress == VK_TRUE &&
+         features.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure == VK_TRUE &&
+         features.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().rayQuery == VK_TRUE;
+}
+
+/// Opens `physical` with one queue of `family` and the features that `description` tells of.
+vk::raii::Device open(const vk::raii::PhysicalDevice& physical, const DeviceDescription& description,
+                      std::uint32_t family, std::vector<const char*> extensions) {
+  const float priority = 1.0F;
+  const vk::DeviceQueueCreateInfo queue({}, family, 1, &priority);
+  vk::StructureChain<vk::DeviceCreateInfo, vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
+                     vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayQueryFeaturesKHR>
+      chain;
+  chain.get<vk::PhysicalDeviceFeatures2>().features.shaderFloat64 = description.float64 ? VK_TRUE : VK_FALSE;
+  auto& vulkan_12 = chain.get<vk::PhysicalDeviceVulkan12Features>();
+  vulkan_12.scalarBlockLayout = VK_TRUE;
+  if (description.ray_query) {
+    extensions.insert(extensions.end(), kRayQueryExtensions.begin(), kRayQueryExtensions.end());
+    vulkan_12.bufferDeviceAddress = VK_TRUE;
+    chain.get<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>().accelerationStructure = VK_TRUE;
+    chain.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().rayQuery = VK_TRUE;
+  } else {
+    chain.unlink<vk::PhysicalDeviceAccelerationStructureFeaturesKHR>();
+    chain.unlink<vk::PhysicalDeviceRayQueryFeaturesKHR>();
+  }
+  chain.get<vk::DeviceCreateInfo>().setQueueCreateInfos(queue).setPEnabledExtensionNames(extensions);
+  return {physical, chain.get<vk::DeviceCreateInfo>()};
+}
+
 DeviceDescription describe(const vk::raii::PhysicalDevice& physical, int index) {
   const vk::PhysicalDeviceProperties properties = physical.getProperties();
   DeviceDescription out;
@@ -102,6 +149,7 @@ DeviceDescription describe(const vk::raii::PhysicalDevice& physical, int index) 
     out.unusable_reason = "Vulkan " + out.api_version + ", 1.2 is needed";
   } else {
     describe_vulkan_12(physical, out);
+    out.ray_query = has_ray_query(physical);
   }
   const std::optional<std::uint32_t> family = compute_queue_family(physical);
   if (family) {
@@ -139,16 +187,7 @@ Device::Device(const VulkanInstance& instance, const DeviceDescription& descript
     vk::raii::PhysicalDevices all(instance.vk());
     physical_ = std::move(all.at(static_cast<std::size_t>(description.index)));
     queue_family_ = compute_queue_family(physical_).value();
-    const float priority = 1.0F;
-    const vk::DeviceQueueCreateInfo queue({}, queue_family_, 1, &priority);
-    vk::PhysicalDeviceVulkan12Features vulkan_12;
-    vulkan_12.scalarBlockLayout = VK_TRUE;
-    vk::PhysicalDeviceFeatures2 features;
-    features.features.shaderFloat64 = description.float64 ? VK_TRUE : VK_FALSE;
-    features.pNext = &vulkan_12;
-    vk::DeviceCreateInfo create({}, queue, {}, extensions);
-    create.pNext = &features;
-    device_ = vk::raii::Device(physical_, create);
+    device_ = open(physical_, description, queue_family_, extensions);
     queue_ = vk::raii::Queue(device_, queue_family_, 0);
     const vk::PipelineCacheCreateInfo cache({}, compiled_pipelines.size(), compiled_pipelines.data());
     pipeline_cache_ = vk::raii::PipelineCache(device_, cache);

@@ -32,6 +32,7 @@ struct DeviceDescription {
   std::uint32_t max_workgroup_invocations = 0;
   std::uint32_t subgroup_size = 0;
   bool subgroup_ballot = false;  ///< invocations of a compute subgroup can vote
+  bool ray_query = false;        ///< the driver builds trees of boxes and finds those that a ray meets
   bool timestamps = false;
   double timestamp_period_ns = 0.0;
   /// Storage buffers a shader stage may bind.
@@ -46,7 +47,8 @@ std::vector<DeviceDescription> list_devices(const VulkanInstance& instance);
 /// case. Throws Error(no_device) that lists what there is.
 DeviceDescription choose_device(const std::vector<DeviceDescription>& devices, const std::string& selector);
 
-/// An opened device with one compute queue. Features asked for: scalar block layout only (float64 where `float64`).
+/// An opened device with one compute queue. Features asked for: scalar block layout only (float64 where `float64`, ray
+/// queries and what they need where `ray_query`).
 class Device {
  public:
   /// Opens `description`, which list_devices(instance) gave. `instance` outlives the device. `compiled_pipelines`: what

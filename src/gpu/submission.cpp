@@ -43,6 +43,12 @@ void barrier_to_host(const vk::raii::CommandBuffer& commands) {
                  Stage::eHost, Access::eHostRead | Access::eHostWrite);
 }
 
+/// What was written so far, by whatever, is seen by all that follows and by the host.
+void barrier_to_all(const vk::raii::CommandBuffer& commands) {
+  memory_barrier(commands, Stage::eAllCommands, Access::eMemoryWrite, Stage::eAllCommands | Stage::eHost,
+                 Access::eMemoryRead | Access::eMemoryWrite | Access::eHostRead | Access::eHostWrite);
+}
+
 void record(const vk::raii::CommandBuffer& commands, const Dispatch& dispatch) {
   commands.bindPipeline(vk::PipelineBindPoint::eCompute, *dispatch.pipeline->vk());
   const vk::PipelineLayout layout = *dispatch.pipeline->layout();
@@ -127,16 +133,16 @@ SubmissionTime Submitter::run(std::span<const Dispatch> dispatches, double timeo
   return {timed ? vk_check("reading timestamps", [&] { return measured_ms(*device_, queries_); }) : wall_ms, wall_ms};
 }
 
-void run_transfer(const Device& device, const std::function<void(const vk::raii::CommandBuffer&)>& record_copies) {
+void run_transfer(const Device& device, const std::function<void(const vk::raii::CommandBuffer&)>& record_work) {
   vk_check("copying buffers", [&] {
     const vk::raii::CommandPool pool =
         device.vk().createCommandPool({vk::CommandPoolCreateFlagBits::eTransient, device.queue_family()});
     const vk::raii::CommandBuffer commands = create_commands(device, pool);
     const vk::raii::Fence fence = device.vk().createFence({});
     commands.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
-    barrier_from_before(commands);
-    record_copies(commands);
-    barrier_to_host(commands);
+    barrier_to_all(commands);
+    record_work(commands);
+    barrier_to_all(commands);
     commands.end();
     const vk::CommandBuffer submitted = *commands;
     device.queue().submit(vk::SubmitInfo(nullptr, nullptr, submitted), *fence);

@@ -51,8 +51,8 @@ class Submitter {
   bool lost_ = false;
 };
 
-/// Records copies and fills by `record_copies`, between barriers to everything before and after, submits them on their
-/// own and waits. For transfers outside the render loop. Throws Error(device_lost) on loss.
-void run_transfer(const Device& device, const std::function<void(const vk::raii::CommandBuffer&)>& record_copies);
+/// Records copies, fills and builds of trees by `record_work`, between barriers to everything before and after, submits
+/// them on their own and waits. For work outside the render loop. Throws Error(device_lost) on loss.
+void run_transfer(const Device& device, const std::function<void(const vk::raii::CommandBuffer&)>& record_work);
 
 }  // namespace vernier

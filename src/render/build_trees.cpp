@@ -7,6 +7,7 @@
 #include "bvh/build_bvh.h"
 #include "bvh/hidden_triangles.h"
 #include "bvh/instance_tree.h"
+#include "bvh/triangle_record.h"
 #include "render/device_instance.h"
 #include "shared/render_constants.h"
 
@@ -73,20 +74,22 @@ void append_words(const DeviceInstance& instance, std::vector<std::uint32_t>& wo
 }  // namespace
 
 SceneTrees build_trees(const Scene& scene, const InstancePlan& plan, const TracedSpace& space, BakedScene& baked,
-                       unsigned thread_count, BuildMethod method, const std::function<void(double share)>& progress) {
+                       unsigned thread_count, std::optional<BuildMethod> method,
+                       const std::function<void(double share)>& progress) {
   const auto not_opaque = [&](std::uint32_t id) {
     return lets_light_pass(scene.materials[baked.triangles[4 * id + 3]]);
   };
   SceneTrees trees;
   trees.hidden_triangles = remove_hidden(baked.corners, not_opaque, thread_count);
   if (plan.meshes.empty()) {
-    trees.bvh = build_bvh(baked.corners, not_opaque, thread_count, method, progress);
+    trees.bvh = method ? build_bvh(baked.corners, not_opaque, thread_count, *method, progress)
+                       : list_triangles(baked.corners, not_opaque);
     trees.traced_triangles = trees.bvh.triangle_count;
     baked.corners = {};
     return trees;
   }
   TreeProgress tree_progress(progress, plan.stored_triangles + plan.shared_instances);
-  SharedTrees shared = build_shared(scene, plan, baked, thread_count, method, tree_progress);
+  SharedTrees shared = build_shared(scene, plan, baked, thread_count, *method, tree_progress);
   std::vector<TreeInstance> instances;
   append_words(world_instance(), trees.instances);
   std::vector<bool> placed(plan.meshes.size(), false);
@@ -104,7 +107,7 @@ SceneTrees build_trees(const Scene& scene, const InstancePlan& plan, const Trace
   }
   const std::uint64_t copied = baked.corners.size();
   trees.bvh = build_instance_tree(std::move(baked.corners), baked.numbers, instances, shared.trees, not_opaque,
-                                  thread_count, method, tree_progress.next(copied + instances.size()));
+                                  thread_count, *method, tree_progress.next(copied + instances.size()));
   baked.corners = {};
   // The tree has those of a shared mesh once.
   trees.traced_triangles += trees.bvh.triangle_count;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "bvh/build_method.h"
@@ -20,8 +21,10 @@ struct SceneTrees {
 };
 
 /// Builds the tree over what `baked` has copied and, once for each, over the meshes that `plan` shares, which are added
-/// to the arrays of `baked`; its corners are used up. `space` is the traced space; the rest as in build_bvh.
+/// to the arrays of `baked`; its corners are used up. Without a method, and with no mesh shared, the triangles alone.
+/// `space` is the traced space; the rest as in build_bvh.
 SceneTrees build_trees(const Scene& scene, const InstancePlan& plan, const TracedSpace& space, BakedScene& baked,
-                       unsigned thread_count, BuildMethod method, const std::function<void(double share)>& progress);
+                       unsigned thread_count, std::optional<BuildMethod> method,
+                       const std::function<void(double share)>& progress);
 
 }  // namespace vernier

@@ -1,11 +1,19 @@
 #include "render/gpu_scene.h"
 
+#include <algorithm>
+#include <cmath>
 #include <span>
 
+#include "bvh/box.h"
+#include "bvh/decode_record.h"
 #include "shared/bindings.h"
 
 namespace vernier {
 namespace {
+
+// Share of the distance between a ray's origin and a box by which its sides are moved outwards for a driver's test, of
+// whose roundings nobody tells: 32 half ulps, where our own box and triangle tests have 20 (intersect_box.glsl).
+constexpr float kDriverPadding = 0x1p-19f;
 
 template <typename Elements>
 Buffer uploaded(const Device& device, const Elements& elements, BufferUse use) {
@@ -15,9 +23,33 @@ Buffer uploaded(const Device& device, const Elements& elements, BufferUse use) {
   return buffer;
 }
 
+/// How far from the origin of the traced space rays start, along any axis, as a power of two, so that a camera that
+/// moves seldom asks for another tree.
+float ray_reach(const RenderConstants& constants, const SteeringConstants& steering) {
+  glm::vec3 reach = glm::abs(constants.camera_origin);
+  if (steering.orthographic != 0) reach += glm::abs(constants.camera_right) + glm::abs(constants.camera_up);
+  // Rays that go on start on the scene, which lies in [-1, 1].
+  const float farthest = std::max({reach.x, reach.y, reach.z, 1.0f});
+  return std::exp2(std::ceil(std::log2(farthest)));
+}
+
 }  // namespace
 
-GpuScene::GpuScene(const Device& device, const PackedScene& packed, SceneLoads loads) {
+BoxTree driver_tree(const Device& device, std::span<const BvhRecord> records, float reach) {
+  std::vector<DeviceBox> boxes;
+  boxes.reserve(records.size());
+  glm::vec3 extent(0.0f);
+  for (const BvhRecord& record : records) {
+    const Box box = triangle_bounds(decode_triangle(record));
+    extent = glm::max(extent, glm::max(glm::abs(box.lo), glm::abs(box.hi)));
+    boxes.push_back({box.lo, box.hi});
+  }
+  const float padding = kDriverPadding * (reach + std::max({extent.x, extent.y, extent.z}));
+  for (DeviceBox& box : boxes) box = {box.lo - padding, box.hi + padding};
+  return BoxTree(device, boxes);
+}
+
+GpuScene::GpuScene(const Device& device, const PackedScene& packed, SceneLoads loads) : loads_(loads) {
   const bool texels = loads == SceneLoads::texels;
   const BufferUse wide = texels ? BufferUse::texels_rgba32ui : BufferUse::storage;
   const BufferUse narrow = texels ? BufferUse::texels_r32ui : BufferUse::storage;
@@ -34,16 +66,20 @@ GpuScene::GpuScene(const Device& device, const PackedScene& packed, SceneLoads l
 }
 
 std::vector<Binding> GpuScene::bindings() const {
-  return {
+  std::vector<Binding> bindings = {
       {BINDING_RENDER, &constants_},   {BINDING_RECORDS, &records_},     {BINDING_TRIANGLES, &triangles_},
       {BINDING_VERTICES, &vertices_},  {BINDING_MATERIALS, &materials_}, {BINDING_LIGHTS, &lights_},
       {BINDING_TEXTURES, &textures_},  {BINDING_TEXELS, &texels_},       {BINDING_FIRST_TRIANGLES, &first_triangles_},
       {BINDING_INSTANCES, &instances_}};
+  if (tree_) bindings.push_back({.binding = BINDING_BOX_TREE, .tree = &*tree_});
+  return bindings;
 }
 
 std::uint64_t GpuScene::size_bytes() const {
   std::uint64_t sum = 0;
-  for (const Binding& binding : bindings()) sum += binding.buffer->size_bytes();
+  for (const Binding& binding : bindings()) {
+    sum += binding.tree != nullptr ? binding.tree->size_bytes() : binding.buffer->size_bytes();
+  }
   return sum;
 }
 
@@ -55,6 +91,17 @@ void GpuScene::set_constants(const Device& device, const RenderConstants& consta
                              const SteeringConstants& steering) {
   steering_ = steering;
   constants_.upload(device, std::as_bytes(std::span(&constants, 1)));
+  if (loads_ != SceneLoads::queries) return;
+  const float reach = ray_reach(constants, steering);
+  if (!tree_ || reach > tree_reach_) build_tree(device, reach);
+}
+
+void GpuScene::build_tree(const Device& device, float reach) {
+  std::vector<BvhRecord> records(steering_.triangle_count);
+  records_.download(device, std::as_writable_bytes(std::span(records)));
+  tree_.reset();  // its memory is needed
+  tree_.emplace(driver_tree(device, records, reach));
+  tree_reach_ = reach;
 }
 
 void GpuScene::set_lights(const Device& device, const std::vector<std::uint32_t>& lights) {

@@ -70,12 +70,12 @@ std::vector<std::uint32_t> pack_lights(const std::vector<Light>& lights, const T
   return words;
 }
 
-PackedScene pack_scene(const Scene& scene, unsigned thread_count, BuildMethod method,
+PackedScene pack_scene(const Scene& scene, unsigned thread_count, std::optional<BuildMethod> method,
                        const std::function<void(double)>& progress, Sharing sharing) {
   PackedScene packed;
   const auto bake_start = std::chrono::steady_clock::now();
   packed.space = choose_traced_space(world_bounds(scene));
-  const InstancePlan plan = plan_instances(scene, sharing);
+  const InstancePlan plan = plan_instances(scene, method ? sharing : Sharing::never);
   BakedScene baked = bake_instances(scene, packed.space, plan);
   packed.bake_ms = milliseconds_since(bake_start);
   const auto build_start = std::chrono::steady_clock::now();
@@ -111,6 +111,12 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count, BuildMethod me
   packed.steering.tangent_texel = baked.layout.tangent;
   set_environment(packed, scene);
   return packed;
+}
+
+PackedScene pack_scene(const Scene& scene, const RenderSettings& settings,
+                       const std::function<void(double)>& progress) {
+  const bool driver_builds = settings.traversal == TraversalForm::ray_query;
+  return pack_scene(scene, 0, driver_builds ? std::nullopt : std::optional(settings.bvh), progress, settings.sharing);
 }
 
 void set_camera(PackedScene& packed, const Camera& camera, const RenderSettings& settings) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "bvh/bvh.h"
@@ -37,9 +38,15 @@ struct PackedScene {
 };
 
 /// Packs `scene`, which has passed validate_scene, building the BVH by `method` on `thread_count` threads (0: all
-/// cores). `sharing` decides which meshes are traced in a space of their own.
-PackedScene pack_scene(const Scene& scene, unsigned thread_count, BuildMethod method = BuildMethod::standard,
+/// cores); without a method its triangles are listed for the driver's tree (list_triangles). `sharing` decides which
+/// meshes are traced in a space of their own: none without a method.
+PackedScene pack_scene(const Scene& scene, unsigned thread_count,
+                       std::optional<BuildMethod> method = BuildMethod::standard,
                        const std::function<void(double share)>& progress = {}, Sharing sharing = Sharing::automatic);
+
+/// The same on all cores as `settings` have it: with TraversalForm::ray_query triangles alone, every instance's.
+PackedScene pack_scene(const Scene& scene, const RenderSettings& settings,
+                       const std::function<void(double share)>& progress = {});
 
 /// `light` in device layout.
 DeviceLight device_light(const Light& light, const TracedSpace& space);

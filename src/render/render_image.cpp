@@ -104,6 +104,7 @@ void describe_trace(const TraceStatistics& trace, const RenderSettings& settings
 GpuScene upload_scene(const Device& device, const PackedScene& packed, SceneLoads loads, RenderStatistics& statistics) {
   const auto start = std::chrono::steady_clock::now();
   GpuScene gpu_scene(device, packed, loads);
+  gpu_scene.set_constants(device, packed.constants, packed.steering);
   statistics.upload_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
   statistics.device_bytes = gpu_scene.size_bytes();
   return gpu_scene;
@@ -128,8 +129,10 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   RenderStatistics statistics;
   statistics.effects = plan_effects(scene, camera, settings.max_bounces, settings.cutoff, settings.effects);
   const std::uint32_t bounces = statistics.effects.depth.bounces;
+  const SceneLoads loads = choose_scene_loads(device.description(), settings.traversal);
+  require_loads(device.description(), loads);
 
-  PackedScene packed = pack_scene(scene, 0, settings.bvh, callbacks.building, settings.sharing);
+  PackedScene packed = pack_scene(scene, settings, callbacks.building);
   describe_scene(scene, packed, statistics);
   describe_left_out(scene, packed, statistics);
   set_camera(packed, camera, settings);
@@ -137,9 +140,7 @@ RenderResult render_image(const Device& device, const Scene& scene, const Camera
   needed.max_bounces = bounces;
   set_settings(packed, needed);
 
-  const SceneLoads loads = choose_scene_loads(device.description(), settings.traversal);
   GpuScene gpu_scene = upload_scene(device, packed, loads, statistics);
-  gpu_scene.set_constants(device, packed.constants, packed.steering);
   TraceSpecialization specialization = specialize(statistics.effects.bits, shape_of(packed), bounces,
                                                   wants(settings, "cost"), device.description(), settings.traversal);
   specialization.levels = settings.spot_levels.value_or(levels_of(settings.accuracy));

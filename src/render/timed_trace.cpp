@@ -17,7 +17,7 @@ RayCounts difference(const RayCounts& after, const RayCounts& before) {
 }  // namespace
 
 StagedScene::StagedScene(const Device& device, const Scene& scene, const Camera& camera, const RenderSettings& settings)
-    : StagedScene(device, pack_scene(scene, 0, settings.bvh, {}, settings.sharing), camera, settings) {}
+    : StagedScene(device, pack_scene(scene, settings), camera, settings) {}
 
 StagedScene::StagedScene(const Device& device, PackedScene packed, const Camera& camera, const RenderSettings& settings)
     : device_(device),

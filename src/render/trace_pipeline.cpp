@@ -7,8 +7,10 @@
 #include "shared/specialization_ids.h"
 #include "spirv/accumulate_storage.h"
 #include "spirv/accumulate_texels.h"
+#include "spirv/primary_queries.h"
 #include "spirv/primary_storage.h"
 #include "spirv/primary_texels.h"
+#include "spirv/trace_queries.h"
 #include "spirv/trace_storage.h"
 #include "spirv/trace_texels.h"
 
@@ -19,16 +21,18 @@ namespace {
 constexpr std::uint32_t kLargestPathStack = 64;
 
 std::span<const std::uint32_t> spirv_of(Kernel kernel, SceneLoads loads) {
-  const bool texels = loads == SceneLoads::texels;
+  const auto by_loads = [loads](auto texels, auto storage, auto queries) {
+    return loads == SceneLoads::texels ? texels : loads == SceneLoads::storage ? storage : queries;
+  };
   switch (kernel) {
     case Kernel::trace:
-      return texels ? kTraceTexelsSpirv : kTraceStorageSpirv;
+      return by_loads(kTraceTexelsSpirv, kTraceStorageSpirv, kTraceQueriesSpirv);
     case Kernel::primary:
-      return texels ? kPrimaryTexelsSpirv : kPrimaryStorageSpirv;
+      return by_loads(kPrimaryTexelsSpirv, kPrimaryStorageSpirv, kPrimaryQueriesSpirv);
     case Kernel::accumulate:
       break;
   }
-  return texels ? kAccumulateTexelsSpirv : kAccumulateStorageSpirv;
+  return by_loads(kAccumulateTexelsSpirv, kAccumulateStorageSpirv, kAccumulateStorageSpirv);
 }
 
 }  // namespace
@@ -87,7 +91,15 @@ ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLo
 }
 
 std::string trace_spirv_hash(SceneLoads loads) {
-  return std::string(loads == SceneLoads::texels ? kTraceTexelsSha256 : kTraceStorageSha256);
+  switch (loads) {
+    case SceneLoads::texels:
+      return std::string(kTraceTexelsSha256);
+    case SceneLoads::queries:
+      return std::string(kTraceQueriesSha256);
+    case SceneLoads::storage:
+      break;
+  }
+  return std::string(kTraceStorageSha256);
 }
 
 }  // namespace vernier

@@ -59,8 +59,8 @@ enum class Kernel {
   primary      ///< AOVs at pixel centres
 };
 
-/// Compiles `kernel` for buffers that are bound like `bindings`. Throws Error(refused) where the device lacks what a
-/// kernel that reads texels needs.
+/// Compiles `kernel` for buffers that are bound like `bindings`. Throws Error(refused) where the device lacks what
+/// kernels with `loads` need.
 ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLoads loads,
                                     const TraceSpecialization& specialization, std::span<const Binding> bindings);
 

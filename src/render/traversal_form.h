@@ -9,10 +9,11 @@
 
 namespace vernier {
 
-/// How shaders read the scene's arrays: two forms of one SPIR-V source (shaders/buffers.glsl).
+/// How shaders read the scene's arrays: forms of one SPIR-V source (shaders/buffers.glsl).
 enum class SceneLoads {
-  texels,  ///< storage texel buffers: 4 times faster on llvmpipe, and not bound by maxStorageBufferRange
-  storage  ///< storage buffers: everywhere else
+  texels,   ///< storage texel buffers: 4 times faster on llvmpipe, and not bound by maxStorageBufferRange
+  storage,  ///< storage buffers: everywhere else
+  queries   ///< the same, and the driver's tree in place of ours (shaders/query_boxes.glsl)
 };
 
 /// How rays find what they hit: how records are read, and where the stack of a search lies. No bit hangs on it.
@@ -21,18 +22,19 @@ enum class TraversalForm {
   texels_shifted,   ///< texel loads; the stack in variables that all move with each push
   texels_array,     ///< texel loads; an array with an index
   storage_shifted,  ///< storage-buffer loads
-  storage_array
+  storage_array,
+  ray_query  ///< the driver's own tree and traversal, our triangle test
 };
 
 /// All of them.
-inline constexpr std::array kTraversalForms = {TraversalForm::automatic, TraversalForm::texels_shifted,
-                                               TraversalForm::texels_array, TraversalForm::storage_shifted,
-                                               TraversalForm::storage_array};
+inline constexpr std::array kTraversalForms = {TraversalForm::automatic,     TraversalForm::texels_shifted,
+                                               TraversalForm::texels_array,  TraversalForm::storage_shifted,
+                                               TraversalForm::storage_array, TraversalForm::ray_query};
 
 /// The form's name on the command line.
 constexpr std::string_view to_string(TraversalForm form) {
-  constexpr std::array<std::string_view, 5> kNames = {"auto", "texels-shifted", "texels-array", "storage-shifted",
-                                                      "storage-array"};
+  constexpr std::array<std::string_view, 6> kNames = {
+      "auto", "texels-shifted", "texels-array", "storage-shifted", "storage-array", "ray-query"};
   return kNames[static_cast<std::size_t>(form)];
 }
 
@@ -47,6 +49,7 @@ constexpr TraversalForm resolve_form(const DeviceDescription& device, TraversalF
 constexpr SceneLoads choose_scene_loads(const DeviceDescription& device,
                                         TraversalForm form = TraversalForm::automatic) {
   const TraversalForm resolved = resolve_form(device, form);
+  if (resolved == TraversalForm::ray_query) return SceneLoads::queries;
   const bool texels = resolved == TraversalForm::texels_shifted || resolved == TraversalForm::texels_array;
   return texels ? SceneLoads::texels : SceneLoads::storage;
 }
@@ -56,6 +59,10 @@ inline void require_loads(const DeviceDescription& device, SceneLoads loads) {
   if (loads == SceneLoads::texels && !device.subgroup_ballot) {
     throw Error(ErrorKind::refused, "device " + device.name + ": no ballots of subgroups, which kernels that read " +
                                         "texels take; try --traversal storage-array");
+  }
+  if (loads == SceneLoads::queries && !device.ray_query) {
+    throw Error(ErrorKind::refused, "device " + device.name + ": its driver has no ray queries (VK_KHR_ray_query), " +
+                                        "which --traversal ray-query takes");
   }
 }
 

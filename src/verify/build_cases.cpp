@@ -54,7 +54,7 @@ CaseResult run_scale(const CaseSetup& setup) {
   constexpr std::uint64_t kRaysPerScale = 128;
   SampleRandom numbers = mesh_random(setup, kName, 0);
   const Target target{sphere_mesh(16, 16, 0.6, 0.9, numbers), glm::dvec3(0.0), 0.3};
-  const RayScene unscaled(*setup.device, pack_scene(scene_with(target.mesh, glm::dmat4(1.0)), 0));
+  const RayScene unscaled(*setup.device, pack_scene(scene_with(target.mesh, glm::dmat4(1.0)), 0), setup.traversal);
   RayKernel kernel(setup, VERIFY_RESPAWN);
   Tally tally;
   for (std::uint64_t first = 0; first < setup.sample_count; first += kRaysPerScale) {
@@ -63,7 +63,7 @@ CaseResult run_scale(const CaseSetup& setup) {
     PackedScene packed = pack_scene(scene_with(target.mesh, scaling(glm::dvec3(scale))), 0);
     // What the traced space hides from the rays has to come back exactly.
     const bool exact = packed.space.metres_per_unit == scale;
-    const RayScene scaled(*setup.device, std::move(packed));
+    const RayScene scaled(*setup.device, std::move(packed), setup.traversal);
     compare_scenes(
         setup, kName, kernel, scaled, unscaled, first, std::min(kRaysPerScale, setup.sample_count - first),
         [&](SampleRandom& random, std::uint32_t) { return aimed_ray(random, target, mixed_aim(random)); }, tally);
@@ -106,7 +106,7 @@ CaseResult run_garbage_mesh(const CaseSetup& setup) {
       }
       continue;
     }
-    const RayScene garbage(*setup.device, pack_scene(scene, 0));
+    const RayScene garbage(*setup.device, pack_scene(scene, 0), setup.traversal);
     std::vector<RayQuery> queries(std::min(kRaysPerMesh, count - first));
     for (std::uint64_t i = 0; i < queries.size(); ++i) {
       SampleRandom random(setup.seed, kName, first + i);
@@ -187,7 +187,7 @@ CaseResult run_build_order(const CaseSetup& setup) {
   Target target{sphere_mesh(16, 16, 0.5, 1.0, numbers), glm::dvec3(0.0), 0.4};
   append(target.mesh, target.mesh);  // every hit is a tie
   std::vector<BvhTriangle> triangles = triangles_of(target.mesh);
-  const RayScene in_order(*setup.device, triangles);
+  const RayScene in_order(*setup.device, triangles, setup.traversal);
   RayKernel kernel(setup, VERIFY_RESPAWN);
   Tally tally;
   for (std::uint64_t first = 0; first < setup.sample_count; first += kSamplesPerTarget) {
@@ -195,7 +195,7 @@ CaseResult run_build_order(const CaseSetup& setup) {
     for (std::size_t i = triangles.size(); i > 1; --i) {
       std::swap(triangles[i - 1], triangles[shuffle.below(static_cast<std::uint32_t>(i))]);
     }
-    const RayScene shuffled(*setup.device, triangles);
+    const RayScene shuffled(*setup.device, triangles, setup.traversal);
     compare_scenes(
         setup, kName, kernel, shuffled, in_order, first, std::min(kSamplesPerTarget, setup.sample_count - first),
         [&](SampleRandom& random, std::uint32_t) { return aimed_ray(random, target, mixed_aim(random)); }, tally);
@@ -208,8 +208,9 @@ CaseResult run_mirror(const CaseSetup& setup) {
   SampleRandom numbers = mesh_random(setup, kName, 0);
   const VerifyMesh mesh = sphere_mesh(16, 16, 0.6, 0.9, numbers);
   const Target target{mirrored(mesh), glm::dvec3(0.0), 0.3};
-  const RayScene by_transform(*setup.device, pack_scene(scene_with(mesh, scaling({-1.0, 1.0, 1.0})), 0));
-  const RayScene by_mesh(*setup.device, pack_scene(scene_with(target.mesh, glm::dmat4(1.0)), 0));
+  const RayScene by_transform(*setup.device, pack_scene(scene_with(mesh, scaling({-1.0, 1.0, 1.0})), 0),
+                              setup.traversal);
+  const RayScene by_mesh(*setup.device, pack_scene(scene_with(target.mesh, glm::dmat4(1.0)), 0), setup.traversal);
   RayKernel kernel(setup, VERIFY_RESPAWN);
   Tally tally;
   compare_scenes(

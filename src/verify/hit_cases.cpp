@@ -253,7 +253,7 @@ CaseResult run_t_limits(const CaseSetup& setup) {
   constexpr float kInfinity = std::numeric_limits<float>::infinity();
   SampleRandom numbers = mesh_random(setup, kName, 0);
   const Target target{triangle_soup(128, 0.4, numbers), glm::dvec3(0.0), 1.0};
-  const RayScene scene(*setup.device, triangles_of(target.mesh));
+  const RayScene scene(*setup.device, triangles_of(target.mesh), setup.traversal);
   RayKernel kernel(setup, VERIFY_CLOSEST);
   std::vector<RayQuery> open(setup.sample_count);
   for (std::uint64_t i = 0; i < open.size(); ++i) {

@@ -104,7 +104,7 @@ CaseResult run_near_shells(const CaseSetup& setup) {
       append(mesh, placed(sphere_mesh(32, 32, 1.0, 1.0, numbers), 0.5 * radius, glm::dvec3(0.0)));
     }
     per_shell = static_cast<std::uint32_t>(mesh.triangles.size() / shells.size());
-    scenes.emplace_back(*setup.device, triangles_of(mesh));
+    scenes.emplace_back(*setup.device, triangles_of(mesh), setup.traversal);
   }
   Tally tally;
   trace_samples(

@@ -30,7 +30,7 @@ Landscape landscape(const CaseSetup& setup, const char* name, std::uint32_t cell
   VerifyMesh mesh = grid_mesh(cells, 1, 0.0f);
   for (glm::vec3& p : mesh.positions) p.y = static_cast<float>(random.in(-kRelief, kRelief));
   std::vector<BvhTriangle> triangles = triangles_of(mesh);
-  RayScene scene(*setup.device, triangles);
+  RayScene scene(*setup.device, triangles, setup.traversal);
   return {cells, std::move(triangles), std::move(scene)};
 }
 

@@ -38,6 +38,7 @@ RenderSettings picture_settings(const CaseSetup& setup, int side) {
   settings.accuracy = setup.level;
   settings.spot_levels = setup.levels;
   settings.mutation = setup.mutation;
+  settings.traversal = setup.traversal;
   return settings;
 }
 

@@ -1,14 +1,18 @@
 #include "verify/ray_kernel.h"
 
-#include <bit>
+#include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 
 #include "bvh/build_bvh.h"
+#include "bvh/decode_record.h"
+#include "bvh/triangle_record.h"
 #include "render/pack_materials.h"
 #include "shared/bindings.h"
-#include "shared/bvh_record.h"
 #include "shared/specialization_ids.h"
+#include "spirv/verify_rays_queries.h"
 #include "spirv/verify_rays_storage.h"
 #include "spirv/verify_rays_texels.h"
 #include "spirv/verify_triangles.h"
@@ -37,6 +41,37 @@ PackedScene packed_triangles(std::span<const BvhTriangle> triangles) {
   packed.steering.normal_texel = packed.steering.uv01_texel = packed.steering.uv23_texel = NONE;
   packed.steering.color_texel = packed.steering.tangent_texel = NONE;
   return packed;
+}
+
+/// How kernels read the scene that go by `form`; for ray queries RayKernel brings a driver's tree that fits its rays.
+SceneLoads loads_of_tree(const Device& device, TraversalForm form) {
+  const SceneLoads loads = choose_scene_loads(device.description(), form);
+  return loads == SceneLoads::queries ? SceneLoads::storage : loads;
+}
+
+/// The triangles of a tree without its nodes, and the driver's tree over them.
+struct DriverScene {
+  Buffer records;
+  BoxTree tree;
+};
+
+DriverScene driver_scene(const Device& device, const Bvh& bvh, std::span<const RayQuery> queries) {
+  std::vector<BvhRecord> records;
+  std::ranges::copy_if(bvh.records, std::back_inserter(records), is_triangle);
+  glm::vec3 reach(0.0f);
+  for (const RayQuery& query : queries) {
+    if (std::isfinite(glm::length(query.origin))) reach = glm::max(reach, glm::abs(query.origin));
+  }
+  DriverScene scene{Buffer(device, std::span(records).size_bytes(), BufferUse::storage),
+                    driver_tree(device, records, std::max({reach.x, reach.y, reach.z}))};
+  scene.records.upload(device, std::as_bytes(std::span(records)));
+  return scene;
+}
+
+std::span<const std::uint32_t> ray_spirv(SceneLoads loads) {
+  return loads == SceneLoads::texels    ? kVerifyRaysTexelsSpirv
+         : loads == SceneLoads::queries ? kVerifyRaysQueriesSpirv
+                                        : kVerifyRaysStorageSpirv;
 }
 
 /// Runs `pipeline_of(bindings)` over the queries, a chunk at a time.
@@ -81,11 +116,11 @@ std::string ray_inputs(const RayQuery& query) {
                      {"outgoing.z", query.outgoing.z}});
 }
 
-RayScene::RayScene(const Device& device, std::span<const BvhTriangle> triangles)
-    : RayScene(device, packed_triangles(triangles)) {}
+RayScene::RayScene(const Device& device, std::span<const BvhTriangle> triangles, TraversalForm form)
+    : RayScene(device, packed_triangles(triangles), form) {}
 
-RayScene::RayScene(const Device& device, PackedScene packed)
-    : packed_(std::move(packed)), gpu_(device, packed_, choose_scene_loads(device.description())) {
+RayScene::RayScene(const Device& device, PackedScene packed, TraversalForm form)
+    : packed_(std::move(packed)), gpu_(device, packed_, loads_of_tree(device, form)) {
   gpu_.set_constants(device, packed_.constants, packed_.steering);
 }
 
@@ -97,7 +132,7 @@ DispatchConstants RayScene::constants() const {
 
 const ComputePipeline& RayKernel::pipeline_for(const RayScene& scene, std::span<const Binding> bindings) {
   const DeviceDescription& device = setup_.device->description();
-  const TraceSpecialization stack = specialize(0, scene.shape(), 0, true, device);
+  const TraceSpecialization stack = specialize(0, scene.shape(), 0, true, device, setup_.traversal);
   const std::pair key{stack.traversal_stack, stack.instanced};
   const auto found = by_shape_.find(key);
   if (found != by_shape_.end()) return found->second;
@@ -109,8 +144,7 @@ const ComputePipeline& RayKernel::pipeline_for(const RayScene& scene, std::span<
                                                 {SPECIALIZATION_LEVELS, setup_.levels},
                                                 {SPECIALIZATION_MUTATION, setup_.mutation},
                                                 {SPECIALIZATION_FUNCTION, function_}};
-  const bool texels = choose_scene_loads(device) == SceneLoads::texels;
-  ComputePipeline pipeline(*setup_.device, texels ? kVerifyRaysTexelsSpirv : kVerifyRaysStorageSpirv, bindings, 0,
+  ComputePipeline pipeline(*setup_.device, ray_spirv(choose_scene_loads(device, setup_.traversal)), bindings, 0,
                            values);
   return by_shape_.emplace(key, std::move(pipeline)).first->second;
 }
@@ -122,6 +156,12 @@ std::vector<RayAnswer> RayKernel::trace(const RayScene& scene, std::span<const R
   dispatch_buffer.upload(device, std::as_bytes(std::span(&constants, 1)));
   std::vector<Binding> bindings = scene.on_device().bindings();
   bindings.push_back({BINDING_DISPATCH, &dispatch_buffer});
+  std::optional<DriverScene> of_driver;
+  if (choose_scene_loads(device.description(), setup_.traversal) == SceneLoads::queries) {
+    of_driver = driver_scene(device, scene.bvh(), queries);
+    std::ranges::find(bindings, std::uint32_t{BINDING_RECORDS}, &Binding::binding)->buffer = &of_driver->records;
+    bindings.push_back({.binding = BINDING_BOX_TREE, .tree = &of_driver->tree});
+  }
   return answers_of(device, bindings, queries,
                     [&](std::span<const Binding> all) -> const ComputePipeline& { return pipeline_for(scene, all); });
 }
@@ -144,12 +184,8 @@ std::vector<RayAnswer> RecordKernel::test(std::span<const BvhRecord> records, st
 }
 
 std::vector<BvhRecord> triangle_records(std::span<const BvhTriangle> triangles) {
-  const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
   std::vector<BvhRecord> records;
-  for (const BvhTriangle& t : triangles) {
-    records.push_back({bits(t.v0.x), bits(t.v0.y), bits(t.v0.z), BVH_TRIANGLE, bits(t.v1.x), bits(t.v1.y), bits(t.v1.z),
-                       0, bits(t.v2.x), bits(t.v2.y), bits(t.v2.z), t.id});
-  }
+  for (const BvhTriangle& triangle : triangles) records.push_back(triangle_record(triangle, false));
   return records;
 }
 

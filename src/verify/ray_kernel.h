@@ -24,10 +24,11 @@ std::string ray_inputs(const RayQuery& query);
 /// Triangles on the device as a render has them: the BVH and what shading a hit reads. Owns its buffers.
 class RayScene {
  public:
-  /// Builds the BVH over `triangles`, whose ids are below their count, and uploads it with one blank material.
-  RayScene(const Device& device, std::span<const BvhTriangle> triangles);
-  /// Uploads a packed scene.
-  RayScene(const Device& device, PackedScene packed);
+  /// Builds the BVH over `triangles`, whose ids are below their count, and uploads it with one blank material, for rays
+  /// that go by `form`.
+  RayScene(const Device& device, std::span<const BvhTriangle> triangles, TraversalForm form = TraversalForm::automatic);
+  /// Uploads a packed scene, with our tree whatever `form` is.
+  RayScene(const Device& device, PackedScene packed, TraversalForm form = TraversalForm::automatic);
 
   /// The tree over the triangles.
   const Bvh& bvh() const { return packed_.bvh; }

@@ -96,7 +96,7 @@ void trace_samples(const CaseSetup& setup, const char* name, std::uint32_t funct
 
 std::vector<RayScene> scenes_of(const CaseSetup& setup, const std::vector<VerifyMesh>& meshes) {
   std::vector<RayScene> scenes;
-  for (const VerifyMesh& mesh : meshes) scenes.emplace_back(*setup.device, triangles_of(mesh));
+  for (const VerifyMesh& mesh : meshes) scenes.emplace_back(*setup.device, triangles_of(mesh), setup.traversal);
   return scenes;
 }
 

@@ -14,11 +14,12 @@ namespace vernier {
 /// Under what a case runs.
 struct CaseSetup {
   const Device* device = nullptr;
-  Accuracy level = Accuracy::robust;               ///< whose targets count
-  std::uint32_t levels = LEVELS_OF(LEVEL_ROBUST);  ///< of the spots, as the kernels are specialized (accuracy.h)
-  std::uint32_t mutation = MUTATION_NONE;          ///< seeded fault
-  std::uint64_t seed = 0;                          ///< the inputs are a function of seed, case and sample number
-  std::uint64_t sample_count = 1u << 16;           ///< wanted; a case may round up to its own grain
+  Accuracy level = Accuracy::robust;                   ///< whose targets count
+  std::uint32_t levels = LEVELS_OF(LEVEL_ROBUST);      ///< of the spots, as the kernels are specialized (accuracy.h)
+  std::uint32_t mutation = MUTATION_NONE;              ///< seeded fault
+  TraversalForm traversal = TraversalForm::automatic;  ///< of rays and pictures
+  std::uint64_t seed = 0;                              ///< the inputs are a function of seed, case and sample number
+  std::uint64_t sample_count = 1u << 16;               ///< wanted; a case may round up to its own grain
 };
 
 /// What a case found. Filled by Tally.

@@ -8,9 +8,9 @@
 #define VERNIER_RAY_WORDS_H
 
 // Above those of a render, shared/bindings.h.
-#define BINDING_RATED_RAYS 20
-#define BINDING_RATED_ANSWERS 21
-#define BINDING_RATED_SCENE 22  // the driver's acceleration structure
+#define BINDING_RATED_RAYS 30
+#define BINDING_RATED_ANSWERS 31
+#define BINDING_RATED_SCENE 32  // the driver's acceleration structure
 
 // Specialization constant of ray_queries.comp: what a ray asks is then known when the driver compiles.
 #define RATED_ANY_HIT 0
