@@ -7,7 +7,7 @@ import resource
 import shlex
 import unittest
 
-from program import DONE, FAILED, SCENE, SMALL, TRIANGLE_OBJ, ProgramTest
+from program import DONE, FAILED, REFUSED, SCENE, SMALL, TRIANGLE_OBJ, ProgramTest
 
 FIELDS = {"schema", "scene", "device", "driver", "size", "spp", "accuracy", "triangles", "instances", "materials", "textures",
           "bvh", "load_ms", "upload_ms", "compile_ms", "trace_device_ms", "trace_wall_ms", "rays", "rays_per_s", "effects",
@@ -59,6 +59,18 @@ class RenderTest(ProgramTest):
             self.assertEqual(self.bytes_of(form + ".hdr", "--traversal", form), plain, form)
         self.bytes_of("form.exr", "--traversal", "storage-array")
         self.check_done("rerun", "form.exr")
+
+    def test_ray_queries_draw_the_same_or_are_refused(self):
+        self.check_done("devices", "--json", "devices.json")
+        devices = json.loads((self.folder / "devices.json").read_text())["devices"]
+        arguments = ["render", SCENE, "-o", "query.hdr", "--device", "0", "--traversal", "ray-query", *SMALL]
+        if devices[0]["ray_query"]:
+            self.check_done(*arguments)
+            self.check_done("render", SCENE, "-o", "plain.hdr", "--device", "0", *SMALL)
+            self.assertEqual((self.folder / "query.hdr").read_bytes(), (self.folder / "plain.hdr").read_bytes())
+        else:
+            self.check_error(REFUSED, "no ray queries", *arguments)
+            self.check_error(REFUSED, "no ray queries", "verify", "--device", "0", "--traversal", "ray-query")
 
     def test_seed_and_effects_change_the_picture(self):
         plain = self.bytes_of("a.hdr")  # holds no metadata

@@ -14,7 +14,7 @@ namespace vernier {
 inline std::string expected_device_name() {
   const char* driver = std::getenv("VERNIER_TEST_DRIVER");
   if (driver == nullptr) return "";
-  return std::string(driver) == "lavapipe" ? "llvmpipe" : "SwiftShader";
+  return std::string(driver) == "swiftshader" ? "SwiftShader" : "llvmpipe";
 }
 
 /// Opens the driver the test runs on with validation; no message of the validation layer is allowed, not even while the

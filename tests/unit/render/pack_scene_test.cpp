@@ -39,6 +39,18 @@ TEST(PackScene, marks_triangles_that_let_light_pass) {
   EXPECT_EQ(marked, 12u + 2 + 1);
 }
 
+TEST(PackScene, ray_queries_get_triangles_alone_those_of_every_instance) {
+  Scene scene = test::tiny_scene();
+  RenderSettings settings;
+  settings.sharing = Sharing::always;
+  EXPECT_GT(pack_scene(scene, settings).bvh.instance_count, 0u);
+  settings.traversal = TraversalForm::ray_query;
+  const PackedScene packed = pack_scene(scene, settings);
+  EXPECT_EQ(packed.bvh.instance_count, 0u);
+  EXPECT_EQ(packed.bvh.records.size(), pack_scene(scene, 1).bvh.triangle_count);
+  for (const BvhRecord& record : packed.bvh.records) ASSERT_TRUE(is_triangle(record));
+}
+
 TEST(PackScene, a_texture_filter_is_that_of_the_file_again_but_never_the_environment_s) {
   Scene scene;
   const auto texels = test::linear_texels(1, 1, {7});

@@ -66,6 +66,16 @@ TEST(Specialize, texel_forms_are_refused_where_lanes_cannot_vote) {
   require_loads(device, SceneLoads::texels);
 }
 
+TEST(Specialize, ray_queries_are_refused_where_the_driver_has_none) {
+  DeviceDescription device;
+  device.name = "a small one";
+  EXPECT_EQ(choose_scene_loads(device, TraversalForm::ray_query), SceneLoads::queries);
+  EXPECT_EQ(choose_scene_loads(llvmpipe(), TraversalForm::ray_query), SceneLoads::queries);
+  EXPECT_THROW(require_loads(device, SceneLoads::queries), Error);
+  device.ray_query = true;
+  require_loads(device, SceneLoads::queries);
+}
+
 TEST(Specialize, what_the_scene_s_materials_are_is_known) {
   Scene scene = test::tiny_scene();
   const auto workflows = [&] { return shape_of(pack_scene(scene, 1)).workflows; };
