@@ -22,6 +22,7 @@
 #include "image/read_image.h"
 #include "image/whole_file.h"
 #include "image/write_image.h"
+#include "render/form_file.h"
 #include "render/pipeline_file.h"
 
 extern char** environ;  // POSIX declares it nowhere
@@ -118,6 +119,7 @@ Sweep measure(const CostArguments& arguments, SweepSetup& setup, const SceneSetu
   ProgressBar bar(arguments.quiet);
   const WorkClock clock;
   setup.progress = [&](double share) { bar.update(clock.at(share)); };
+  setup.settings.traversal = calibrated_form(description, scene.scene, setup.settings.traversal);
   Sweep sweep = measure_costs(device.device(), scene.scene, scene.camera, setup);
   names.device = description.name;
   names.driver = description.driver;

@@ -1,44 +1,84 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 
 #include "cli/commands.h"
+#include "cli/form_report.h"
 #include "cli/output_file.h"
+#include "cli/progress_bar.h"
+#include "cli/scene_setup.h"
 #include "error.h"
 #include "gpu/describe_devices.h"
 #include "image/whole_file.h"
+#include "render/form_file.h"
+#include "render/pipeline_file.h"
 
 namespace vernier {
 namespace {
 
-int run_devices(const std::string& json_file) {
-  check_text_output(json_file);
+struct DevicesArguments {
+  std::string json_file;
+  std::string device;
+  bool calibrate = false;
+  bool quiet = false;
+};
+
+/// Times the forms of the traversal with the built-in scene and keeps the best for `description`.
+nlohmann::ordered_json calibrate(const VulkanInstance& instance, const DeviceDescription& description, bool quiet) {
+  const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
+  FormBench bench;
+  const SceneSetup builtin = set_up_scene({}, static_cast<double>(bench.width) / bench.height);
+  ProgressBar bar(quiet);
+  const WorkClock clock;
+  bench.progress = [&](double share) { bar.update(clock.at(share)); };
+  const FormCalibration found = calibrate_forms(device.device(), builtin.scene, builtin.camera, bench);
+  device.store();
+  const std::string file = form_file(description.pipeline_key);
+  if (!file.empty()) write_form(file, found.best);
+  std::printf(
+      "forms of the traversal on %s, the built-in scene, %dx%d, %u samples, %d rounds:\n%s\n%s\n",
+      description.name.c_str(), bench.width, bench.height, bench.spp, bench.rounds, form_table(found).c_str(),
+      file.empty() ? "not kept: VERNIER_PIPELINE_CACHE or a home folder names no place" : ("kept in " + file).c_str());
+  return form_json(description.name, found);
+}
+
+int run_devices(const DevicesArguments& arguments) {
+  check_text_output(arguments.json_file);
+  if (!arguments.device.empty() && !arguments.calibrate) {
+    throw Error(ErrorKind::usage, "--device: it says what --calibrate is for, which is not given");
+  }
   const VulkanInstance instance;
   const std::vector<DeviceReport> reports = report_devices(instance);
-  if (!json_file.empty()) {
-    write_text(json_file, devices_json(reports).dump(2) + "\n");
-  }
   std::fputs(describe_devices(reports).c_str(), stdout);
-  for (const DeviceReport& report : reports) {
-    if (report.device.usable) {
-      return 0;
-    }
+  nlohmann::ordered_json json = devices_json(reports);
+  if (arguments.calibrate) {
+    const DeviceDescription description = choose_device(list_devices(instance), arguments.device);
+    json["calibration"] = calibrate(instance, description, arguments.quiet);
   }
-  return static_cast<int>(ErrorKind::no_device);
+  if (!arguments.json_file.empty()) write_text(arguments.json_file, json.dump(2) + "\n");
+  const bool any = std::ranges::any_of(reports, [](const DeviceReport& report) { return report.device.usable; });
+  return any ? 0 : static_cast<int>(ErrorKind::no_device);
 }
 
 }  // namespace
 
 void add_devices_command(CLI::App& app, Command& chosen) {
-  const auto json_file = std::make_shared<std::string>();
+  const auto arguments = std::make_shared<DevicesArguments>();
   CLI::App& command =
       *app.add_subcommand("devices",
                           "Devices, drivers, the limits that matter and what the arithmetic probe found. "
                           "Exit code 4 when none can be used.");
-  command.add_option("--json", *json_file, "writes the same as JSON (default: none)")->type_name("FILE");
-  command.footer("Example: vernier devices --json devices.json");
-  command.callback([json_file, &chosen] { chosen = [json_file] { return run_devices(*json_file); }; });
+  command.add_option("--json", arguments->json_file, "writes the same as JSON (default: none)")->type_name("FILE");
+  command.add_flag("--calibrate", arguments->calibrate,
+                   "times every form of the traversal on a device, and keeps the quickest for --traversal auto "
+                   "(default: off)");
+  command.add_option("--device", arguments->device, "what --calibrate is for (default: the best)")
+      ->type_name("INDEX|NAME");
+  command.add_flag("--quiet", arguments->quiet, "no progress (default: off)");
+  command.footer("Example: vernier devices --calibrate --json devices.json");
+  command.callback([arguments, &chosen] { chosen = [arguments] { return run_devices(*arguments); }; });
 }
 
 }  // namespace vernier

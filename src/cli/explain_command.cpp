@@ -16,6 +16,7 @@
 #include "effects/detect_effects.h"
 #include "error.h"
 #include "image/whole_file.h"
+#include "render/form_file.h"
 #include "render/pipeline_file.h"
 
 namespace vernier {
@@ -52,6 +53,7 @@ void measure(const SceneSetup& setup, const ExplainArguments& arguments, Explana
   const VulkanInstance instance;
   const DeviceDescription description = choose_device(list_devices(instance), arguments.device);
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
+  explanation.settings.traversal = calibrated_form(description, setup.scene, explanation.settings.traversal);
   ProgressBar bar(arguments.quiet);
   const WorkClock clock;
   EffectCostSetup bench;

@@ -49,6 +49,7 @@ void add_input(nlohmann::ordered_json& json, const RenderReport& report) {
   json["size"] = {settings.width, settings.height};
   json["spp"] = settings.spp;
   json["accuracy"] = to_string(settings.accuracy);
+  json["traversal"] = to_string(resolve_form(report.device, settings.traversal));
 }
 
 void add_work(nlohmann::ordered_json& json, const RenderReport& report) {

@@ -14,6 +14,7 @@
 #include "cli/warnings.h"
 #include "error.h"
 #include "render/film_file.h"
+#include "render/form_file.h"
 #include "render/gpu_scene.h"
 #include "render/memory_need.h"
 #include "render/pipeline_file.h"
@@ -89,18 +90,20 @@ std::map<std::string, std::string> describe_image(const RenderPlan& plan, const 
   return recipe;
 }
 
-RenderedImage render_planned(const RenderPlan& plan) {
+RenderedImage render_planned(RenderPlan plan) {
   const std::optional<SavedFilm> resumed = read_resumed(plan);
   const double aspect = static_cast<double>(plan.settings.width) / plan.settings.height;
   const SceneSetup setup = set_up_scene(plan.scene, aspect);
   print_warnings(setup.scene.warnings);
   const VulkanInstance instance;
   const DeviceDescription description = choose_device(list_devices(instance), plan.device);
+  plan.settings.traversal = calibrated_form(description, setup.scene, plan.settings.traversal);
+  const bool driver_traces = plan.settings.traversal == TraversalForm::ray_query;
   const RecipeMaker maker{description.name, description.driver,
                           trace_spirv_hash(choose_scene_loads(description, plan.settings.traversal))};
   const Metadata recipe = render_recipe(plan.scene_arguments, setup.scene.files, plan.render_arguments, maker);
   if (resumed) match_recipes("this render", recipe, plan.resume, resumed->recipe, {});
-  const MemoryNeed memory = memory_need(setup.scene);
+  const MemoryNeed memory = memory_need(setup.scene, driver_traces ? Sharing::never : plan.settings.sharing);
   check_and_tell(setup.scene.source, memory, memory_there(description), plan.quiet);
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
   RenderResult result = render_with_progress(device.device(), setup, plan, recipe, resumed ? &*resumed : nullptr);

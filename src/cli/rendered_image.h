@@ -26,6 +26,6 @@ std::map<std::string, std::string> describe_image(const RenderPlan& plan, const 
 /// an image that lacks samples have vernier:stopped_at, the samples every pixel has got. Throws Error as render_image,
 /// read_film_file and the scene's loader do; refused for a checkpoint of another render, device_lost with the command
 /// that goes on.
-RenderedImage render_planned(const RenderPlan& plan);
+RenderedImage render_planned(RenderPlan plan);
 
 }  // namespace vernier

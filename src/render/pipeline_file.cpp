@@ -83,14 +83,17 @@ void write_file(const std::string& file, const FileHeader& header, std::span<con
 
 }  // namespace
 
-std::string pipeline_file(const std::string& pipeline_key) {
+std::string cache_file(const std::string& name) {
   const char* own = std::getenv("VERNIER_PIPELINE_CACHE");
   if (own != nullptr && std::string_view(own) == "none") return "";
-  const std::string name = pipeline_key + ".pipelines";
   if (const auto folder = absolute_path("VERNIER_PIPELINE_CACHE")) return fs::path(*folder) / name;
   if (const auto folder = absolute_path("XDG_CACHE_HOME")) return fs::path(*folder) / "vernier" / name;
   if (const auto folder = absolute_path("HOME")) return fs::path(*folder) / ".cache" / "vernier" / name;
   return "";
+}
+
+std::string pipeline_file(const std::string& pipeline_key) {
+  return cache_file(pipeline_key + ".pipelines");
 }
 
 StoredPipelines read_pipelines(const std::string& file, const std::string& pipeline_key, std::uint64_t most_bytes) {

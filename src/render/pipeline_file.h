@@ -20,9 +20,12 @@ struct StoredPipelines {
   std::string note;
 };
 
-/// Where compiled pipelines of devices with `pipeline_key` are kept: a file in $VERNIER_PIPELINE_CACHE,
-/// $XDG_CACHE_HOME/vernier or $HOME/.cache/vernier, the first that is set to an absolute path. Empty, which means
-/// nowhere, when none is, or VERNIER_PIPELINE_CACHE is `none`.
+/// Where the file `name` is kept from run to run: in $VERNIER_PIPELINE_CACHE, $XDG_CACHE_HOME/vernier or
+/// $HOME/.cache/vernier, the first that is set to an absolute path. Empty, which means nowhere, when none is, or
+/// VERNIER_PIPELINE_CACHE is `none`.
+std::string cache_file(const std::string& name);
+
+/// Where compiled pipelines of devices with `pipeline_key` are kept (cache_file).
 std::string pipeline_file(const std::string& pipeline_key);
 
 /// Reads `file`, if it was written by write_pipelines for this `pipeline_key`. A file that is missing, cut short,

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "gpu/device.h"
+#include "render/render_settings.h"
+#include "render/timed_trace.h"
+#include "scene/scene.h"
+
+namespace vernier {
+
+/// What one form took on a device.
+struct FormTiming {
+  TraversalForm form = TraversalForm::automatic;
+  std::string left_out;  ///< why there are no times: the device refuses it, or it draws another picture
+  double compile_ms = 0.0;
+  double device_ms = 0.0;  ///< of a picture, median
+  RatioSpread ratio;       ///< of its time to that of the device's default right before
+};
+
+/// All forms on a device, and which is best there.
+struct FormCalibration {
+  TraversalForm usual = TraversalForm::automatic;  ///< resolve_form without a calibration
+  TraversalForm best = TraversalForm::automatic;   ///< `usual`, unless another was quicker each time, by 5 % or more
+  std::vector<FormTiming> forms;                   ///< of kTraversalForms but automatic
+};
+
+/// The picture that is timed.
+struct FormBench {
+  int width = 192;  ///< pixels
+  int height = 108;
+  std::uint32_t spp = 2;
+  int rounds = 5;
+  std::function<void(double share)> progress = [](double) {};
+};
+
+/// Draws `scene` by every form in turn, `bench.rounds` times, each right after the usual one.
+FormCalibration calibrate_forms(const Device& device, const Scene& scene, const Camera& camera, const FormBench& bench);
+
+}  // namespace vernier
