@@ -129,14 +129,14 @@ class TreeBuilder {
 
 }  // namespace
 
-void fill_nodes_by_area(TriangleReferences& references, SplitSearch search, BinaryNode* nodes, unsigned thread_count,
-                        const CountDone& done) {
+void fill_nodes_by_area(const TriangleReferences& references, SplitSearch search, BinaryNode* nodes,
+                        unsigned thread_count, const CountDone& done) {
   const float longest = longest_side(box_from(references.bounds.box));
   // Any scale would do that keeps products of sides inside float; the smallest normal side is enough of a floor.
   const float area_scale = 1.0f / std::max(longest, 0x1p-126f);
-  TreeBuilder builder(references.all.data(), references.count, nodes, area_scale,
+  TreeBuilder builder(references.all.data(), references.all.size(), nodes, area_scale,
                       search == SplitSearch::all ? kSortedLimit : 0);
-  builder.build({0, references.count, 0, 0, references.bounds}, thread_count, done);
+  builder.build({0, references.all.size(), 0, 0, references.bounds}, thread_count, done);
 }
 
 }  // namespace vernier

@@ -11,11 +11,11 @@ enum class SplitSearch {
   all    ///< those between any two centres, where the range is not too large
 };
 
-/// Makes the references.count - 1 `nodes` of a tree over two or more `references`, which are put in another order,
+/// Makes the references.all.size() - 1 `nodes` of a tree over two or more `references`, which are put in another order,
 /// numbered as BinaryTree says: each range is split where the surface area heuristic is least among those that `search`
 /// tries, by medians from depth kMedianDepth on. The same for every `thread_count` (at least 1). `done` as in
 /// build_binary_tree.
-void fill_nodes_by_area(TriangleReferences& references, SplitSearch search, BinaryNode* nodes, unsigned thread_count,
-                        const CountDone& done);
+void fill_nodes_by_area(const TriangleReferences& references, SplitSearch search, BinaryNode* nodes,
+                        unsigned thread_count, const CountDone& done);
 
 }  // namespace vernier

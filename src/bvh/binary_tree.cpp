@@ -13,7 +13,7 @@ namespace vernier {
 namespace {
 
 // Nodes per piece of a sum: fixed, so that it does not depend on the number of threads.
-constexpr std::size_t kPiece = 65536;
+constexpr std::size_t kPiece = 8192;
 
 double half_area_sum(std::span<const BinaryNode> nodes, unsigned thread_count) {
   std::vector<double> sums((nodes.size() + kPiece - 1) / kPiece, 0.0);
@@ -31,11 +31,11 @@ double sah_cost(const BinaryTree& tree, double leaf_half_area_sum, unsigned thre
   return (2.0 * leaf_half_area_sum + half_area_sum(tree.nodes, thread_count)) / half_area(tree.bounds);
 }
 
-void fill_nodes(TriangleReferences& references, BuildMethod method, BinaryNode* nodes, unsigned thread_count,
-                const CountDone& done) {
+void fill_nodes(const TriangleReferences& references, BuildMethod method, BinaryNode* nodes, unsigned thread_count,
+                Workspace& workspace, const CountDone& done) {
   switch (method) {
     case BuildMethod::fast:
-      return fill_nodes_by_code(references, nodes, thread_count, done);
+      return fill_nodes_by_code(references, nodes, thread_count, workspace, done);
     case BuildMethod::standard:
       return fill_nodes_by_area(references, SplitSearch::bins, nodes, thread_count, done);
     case BuildMethod::quality:
@@ -46,19 +46,19 @@ void fill_nodes(TriangleReferences& references, BuildMethod method, BinaryNode* 
 }  // namespace
 
 BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, BuildMethod method, unsigned thread_count,
-                             const CountDone& done) {
-  TriangleReferences references = make_references(triangles, thread_count);
+                             Workspace workspace, const CountDone& done) {
+  const TriangleReferences references = make_references(triangles, thread_count, workspace);
   BinaryTree tree;
-  tree.leaf_count = static_cast<std::uint32_t>(references.count);
-  if (references.count == 0) {
+  tree.leaf_count = static_cast<std::uint32_t>(references.all.size());
+  if (references.all.size() == 0) {
     return tree;
   }
   tree.bounds = box_from(references.bounds.box);
-  if (references.count == 1) {
+  if (references.all.size() == 1) {
     tree.root = kLeafBit | triangle_index(references.all[0]);
   } else {
-    tree.nodes.resize(references.count - 1);
-    fill_nodes(references, method, tree.nodes.data(), thread_count, done);
+    tree.nodes.resize(references.all.size() - 1);
+    fill_nodes(references, method, tree.nodes.data(), thread_count, workspace, done);
   }
   tree.sah_cost = sah_cost(tree, references.half_area_sum, thread_count);
   return tree;

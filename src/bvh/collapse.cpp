@@ -27,16 +27,16 @@ struct Division {
   std::uint32_t record_count;
 };
 
+// Without branches: no processor foresees which side needs more.
 Division divide(const SubtreeCost& left, const SubtreeCost& right, std::uint32_t slots) {
-  Division best{left.area[0] + right.area[slots - 2], 1, 0};
+  Division best{left.area[0] + right.area[slots - 2], 1, left.record_count[0] + right.record_count[slots - 2]};
   for (std::uint32_t left_slots = 2; left_slots < slots; ++left_slots) {
     const float area = left.area[left_slots - 1] + right.area[slots - left_slots - 1];
-    if (area < best.area) {
-      best.area = area;
-      best.left_slots = left_slots;
-    }
+    const std::uint32_t record_count = left.record_count[left_slots - 1] + right.record_count[slots - left_slots - 1];
+    const bool better = area < best.area;
+    best = {better ? area : best.area, better ? left_slots : best.left_slots,
+            better ? record_count : best.record_count};
   }
-  best.record_count = left.record_count[best.left_slots - 1] + right.record_count[slots - best.left_slots - 1];
   return best;
 }
 
@@ -55,7 +55,7 @@ SubtreeCost plan_node(float area, const SubtreeCost& left, const SubtreeCost& ri
     cost.record_count[slots - 1] = opened ? division.record_count : cost.record_count[slots - 2];
     divisions |= opened ? division.left_slots << 2 * (slots - 2) : 0;
   }
-  plan = {cost.record_count[0], divisions};
+  plan.bits = cost.record_count[0] << 6 | divisions;
   return cost;
 }
 

@@ -11,17 +11,21 @@ namespace vernier {
 /// Children of a node of the device tree.
 inline constexpr std::uint32_t kMaxChildren = 4;
 
-/// The cheapest way to hand a binary subtree to a wide parent as at most 1, 2 or 3 children. 4 bytes: a million of them
-/// are written before the first is read.
+/// The cheapest way to hand a binary subtree to a wide parent as at most 1, 2 or 3 children, in one word.
 struct CollapsePlan {
-  std::uint32_t record_count : 26;  ///< of the subtree as one child: its wide nodes and its triangles
-  std::uint32_t divisions : 6;      ///< for 2, 3 and 4 slots two bits each, see left_slots
+  /// In the upper 26 bits records_of_one, below them left_slots of 4, 3 and 2 slots, two bits each.
+  std::uint32_t bits;
 };
+
+/// Records of the subtree as one child: its wide nodes and its triangles.
+inline std::uint32_t records_of_one(CollapsePlan plan) {
+  return plan.bits >> 6;
+}
 
 /// How many of `slots` (2 to 4) children the left side gets of a node that is opened for so many, the right side gets
 /// the others; 0 where the node had better be handed over as fewer.
-inline std::uint32_t left_slots(const CollapsePlan& plan, std::uint32_t slots) {
-  return plan.divisions >> 2 * (slots - 2) & 3;
+inline std::uint32_t left_slots(CollapsePlan plan, std::uint32_t slots) {
+  return plan.bits >> 2 * (slots - 2) & 3;
 }
 
 /// Plans for every binary node, by its number.
@@ -35,7 +39,7 @@ CollapsePlans plan_collapse(const BinaryTree& tree, unsigned thread_count);
 
 /// Records of the subtree below `child` when it is one child of a wide node, itself included.
 inline std::uint32_t record_count(const CollapsePlans& plans, BinaryChild child) {
-  return is_leaf(child) ? 1 : plans[child].record_count;
+  return is_leaf(child) ? 1 : records_of_one(plans[child]);
 }
 
 /// Children of one wide node, left to right, with the number of triangles below each.

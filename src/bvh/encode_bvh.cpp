@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bvh/box.h"
@@ -15,7 +16,7 @@ namespace vernier {
 namespace {
 
 // Subtrees of up to this many triangles are written by one thread.
-constexpr std::uint32_t kTaskSize = 8192;
+constexpr std::uint32_t kTaskSize = 2048;
 
 // Subtrees of up to this many triangles have all of them prefetched: 20 KiB, which the nearest cache holds.
 constexpr std::uint32_t kPrefetched = 512;
@@ -32,6 +33,7 @@ struct Task {
   std::uint32_t record;
   std::uint32_t first_below;
   std::uint32_t depth;  // nodes from the root to this one, both counted
+  bool prefetched;      // the triangles below
 };
 
 class Encoder {
@@ -68,13 +70,14 @@ class Encoder {
       if (is_leaf(child)) {
         records_[record] = triangle_record(triangles_[leaf_triangle(child)]);
       } else {
-        tasks.push_back({child, leaf_count, record, firsts_below[i], task.depth + 1});
+        tasks.push_back({child, leaf_count, record, firsts_below[i], task.depth + 1, task.prefetched});
       }
     }
   }
 
   // Asks for the triangles below `task`, which lie all over memory, before each is waited for in turn.
   void prefetch_triangles(const Task& task) const {
+    if (is_leaf(task.node)) return;
     const std::span nodes = std::span(tree_.nodes).subspan(task.node, task.leaf_count - 1);
     for (const BinaryNode& node : nodes) {
       for (const BinaryChild child : {node.left, node.right}) {
@@ -88,10 +91,13 @@ class Encoder {
     std::uint32_t depth = 0;
     std::vector<Task> waiting = {first};
     while (!waiting.empty()) {
-      const Task task = waiting.back();
+      Task task = waiting.back();
       waiting.pop_back();
       depth = std::max(depth, task.depth);
-      if (task.leaf_count > kPrefetched / 2 && task.leaf_count <= kPrefetched) prefetch_triangles(task);
+      if (!task.prefetched && task.leaf_count <= kPrefetched) {
+        prefetch_triangles(task);
+        task.prefetched = true;
+      }
       write_node(task, waiting);
     }
     return depth;
@@ -140,11 +146,13 @@ std::uint32_t count_records(const BinaryTree& tree, const CollapsePlans& plans) 
 }  // namespace
 
 Bvh encode_bvh(const BinaryTree& tree, const CollapsePlans& plans, std::span<const BvhTriangle> triangles,
-               const std::function<bool(std::uint32_t)>& not_opaque, unsigned thread_count, const CountDone& done) {
+               const std::function<bool(std::uint32_t)>& not_opaque, unsigned thread_count, const CountDone& done,
+               LargeArray<BvhRecord> memory) {
   Bvh bvh;
   if (tree.leaf_count == 0) {
     return bvh;
   }
+  bvh.records = std::move(memory);
   bvh.records.resize(count_records(tree, plans));
   bvh.bounds = tree.bounds;
   bvh.triangle_count = tree.leaf_count;
@@ -152,7 +160,7 @@ Bvh encode_bvh(const BinaryTree& tree, const CollapsePlans& plans, std::span<con
   bvh.sah_cost = tree.sah_cost;
 
   const Encoder encoder(tree, plans, triangles, not_opaque, bvh.records);
-  std::vector<Task> upper = {{tree.root, tree.leaf_count, 0, 1, 1}};
+  std::vector<Task> upper = {{tree.root, tree.leaf_count, 0, 1, 1, false}};
   std::vector<Task> subtrees;
   while (!upper.empty()) {
     const Task task = upper.back();

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
+#include <utility>
 #include <vector>
 
 #include "math/parallel_for.h"
@@ -94,16 +94,17 @@ void sort_runs(std::span<CodedReference> references, std::size_t begin, std::siz
 
 }  // namespace
 
-void sort_by_code(LargeArray<CodedReference>& references, unsigned thread_count) {
-  if (references.size() < 2) return;
-  LargeArray<CodedReference> other(references.size());
+std::span<const CodedReference> sort_by_code(std::span<CodedReference> references, std::span<CodedReference> other,
+                                             unsigned thread_count) {
+  if (references.size() < 2) return references;
   RadixSort sort(references, thread_count);
   for (int shift = kLowBits; shift < kCodeBits; shift += kDigitBits) {
-    if (sort.pass(other.data(), shift)) references.swap(other);
+    if (sort.pass(other.data(), shift)) std::swap(references, other);
   }
   parallel_for(thread_count, (references.size() + kLeastPiece - 1) / kLeastPiece, [&](std::size_t i) {
     sort_runs(references, i * kLeastPiece, std::min((i + 1) * kLeastPiece, references.size()));
   });
+  return references;
 }
 
 }  // namespace vernier

@@ -90,7 +90,8 @@ void add_planned(const BinaryTree& tree, const CollapsePlans& plans, std::uint32
 
 TEST(PlanCollapse, FindsTheLeastAreaAndCountsRight) {
   for (const auto& [name, triangles] : all_sets()) {
-    const BinaryTree tree = build_binary_tree(triangles, BuildMethod::standard, 2);
+    LargeArray<std::byte> memory(kWorkspaceBytes * triangles.size());
+    const BinaryTree tree = build_binary_tree(triangles, BuildMethod::standard, 2, Workspace(memory));
     if (tree.leaf_count < 2) {
       continue;
     }
