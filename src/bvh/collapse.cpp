@@ -1,5 +1,6 @@
 #include "bvh/collapse.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "bvh/box.h"
@@ -16,8 +17,8 @@ constexpr std::size_t kLongestWay = kMedianDepth + 24 + 1;
 // What a subtree costs as at most 1, 2 or 3 children: the sum of the areas of the wide nodes needed, relative to the
 // root's, and how many records they and the triangles take.
 struct SubtreeCost {
-  std::array<float, kMaxChildren - 1> area = {0.0f, 0.0f, 0.0f};
-  std::array<std::uint32_t, kMaxChildren - 1> record_count = {1, 1, 1};
+  std::array<float, kMaxChildren - 1> area;
+  std::array<std::uint32_t, kMaxChildren - 1> record_count;
 };
 
 // The best way to divide `slots` children among the two sides of a binary node.
@@ -29,52 +30,61 @@ struct Division {
 
 // Without branches: no processor foresees which side needs more.
 Division divide(const SubtreeCost& left, const SubtreeCost& right, std::uint32_t slots) {
-  Division best{left.area[0] + right.area[slots - 2], 1, left.record_count[0] + right.record_count[slots - 2]};
+  Division best{left.area[0] + right.area[slots - 2], 1, 0};
   for (std::uint32_t left_slots = 2; left_slots < slots; ++left_slots) {
     const float area = left.area[left_slots - 1] + right.area[slots - left_slots - 1];
-    const std::uint32_t record_count = left.record_count[left_slots - 1] + right.record_count[slots - left_slots - 1];
-    const bool better = area < best.area;
-    best = {better ? area : best.area, better ? left_slots : best.left_slots,
-            better ? record_count : best.record_count};
+    best.left_slots = std::max(best.left_slots, area < best.area ? left_slots : 0u);
+    best.area = std::min(best.area, area);
   }
+  best.record_count = left.record_count[best.left_slots - 1] + right.record_count[slots - best.left_slots - 1];
   return best;
 }
 
-// Fills `plan` of a node with half area `area`. A node as one child is a wide node over at most four; as two or three
-// children it may still be handed over as fewer, where that is no dearer.
-SubtreeCost plan_node(float area, const SubtreeCost& left, const SubtreeCost& right, CollapsePlan& plan) {
-  const Division inside = divide(left, right, kMaxChildren);
-  SubtreeCost cost;
-  cost.area[0] = area + inside.area;
-  cost.record_count[0] = 1 + inside.record_count;
-  std::uint32_t divisions = inside.left_slots << 2 * (kMaxChildren - 2);
-  for (std::uint32_t slots = 2; slots < kMaxChildren; ++slots) {
-    const Division division = divide(left, right, slots);
-    const bool opened = division.area < cost.area[slots - 2];
-    cost.area[slots - 1] = opened ? division.area : cost.area[slots - 2];
-    cost.record_count[slots - 1] = opened ? division.record_count : cost.record_count[slots - 2];
-    divisions |= opened ? division.left_slots << 2 * (slots - 2) : 0;
-  }
-  plan.bits = cost.record_count[0] << 6 | divisions;
-  return cost;
+// `one` where `condition`, else `other`, without a branch.
+std::uint32_t select(bool condition, std::uint32_t one, std::uint32_t other) {
+  return other ^ ((one ^ other) & (condition ? ~0u : 0u));
 }
 
 // Subtrees that are planned and whose parents are not, the last one on top.
 class PlannedSubtrees {
  public:
+  /// What is below a node with half area `area`, whose sides are the uppermost, the left one's on top, as far as they
+  /// are no leaves, becomes one subtree. As one child it is a wide node over at most four; as two or three children it
+  /// may still be handed over as fewer, where that is no dearer.
+  CollapsePlan join(const BinaryNode& node, float area) {
+    const SubtreeCost& left = is_leaf(node.left) ? kLeaf : costs_[--count_];
+    const SubtreeCost& right = is_leaf(node.right) ? kLeaf : costs_[--count_];
+    const Division in_two = divide(left, right, 2);
+    const Division in_three = divide(left, right, 3);
+    const Division in_four = divide(left, right, 4);
+    const float one = area + in_four.area;
+    const float two = std::min(one, in_two.area);
+    const std::uint32_t records_of_one = 1 + in_four.record_count;
+    const std::uint32_t records_of_two = select(in_two.area < one, in_two.record_count, records_of_one);
+    const bool opens_in_three = in_three.area < two;
+    // Field by field: a whole one would be read back from memory before its parts are there.
+    SubtreeCost& cost = costs_[count_++];
+    cost.area[0] = one;
+    cost.area[1] = two;
+    cost.area[2] = std::min(two, in_three.area);
+    cost.record_count[0] = records_of_one;
+    cost.record_count[1] = records_of_two;
+    cost.record_count[2] = select(opens_in_three, in_three.record_count, records_of_two);
+    return {records_of_one << 6 | in_four.left_slots << 4 | select(opens_in_three, in_three.left_slots << 2, 0) |
+            select(in_two.area < one, in_two.left_slots, 0)};
+  }
   void push(const SubtreeCost& cost) { costs_[count_++] = cost; }
-  SubtreeCost pop() { return costs_[--count_]; }
+  const SubtreeCost& top() const { return costs_[count_ - 1]; }
 
  private:
+  static constexpr SubtreeCost kLeaf = {{0.0f, 0.0f, 0.0f}, {1, 1, 1}};
+
   std::array<SubtreeCost, kLongestWay + 1> costs_;
   std::size_t count_ = 0;
 };
 
-// The plans of both sides are the uppermost in `planned`, the left one's on top, as far as they are no leaves.
-void plan_next(const BinaryNode& node, double area_scale, PlannedSubtrees& planned, CollapsePlan& plan) {
-  const SubtreeCost left = is_leaf(node.left) ? SubtreeCost() : planned.pop();
-  const SubtreeCost right = is_leaf(node.right) ? SubtreeCost() : planned.pop();
-  planned.push(plan_node(static_cast<float>(half_area(node.box) * area_scale), left, right, plan));
+CollapsePlan plan_node(const BinaryNode& node, double area_scale, PlannedSubtrees& planned) {
+  return planned.join(node, static_cast<float>(half_area(node.box) * area_scale));
 }
 
 // A node above the subtrees that one thread plans, or the root of such a subtree.
@@ -138,16 +148,16 @@ CollapsePlans plan_collapse(const BinaryTree& tree, unsigned thread_count) {
     if (!parts[i].is_task()) return;
     PlannedSubtrees planned;
     for (std::uint32_t node = parts[i].node + parts[i].leaf_count - 1; node-- > parts[i].node;) {
-      plan_next(tree.nodes[node], area_scale, planned, plans[node]);
+      plans[node] = plan_node(tree.nodes[node], area_scale, planned);
     }
-    costs[i] = planned.pop();
+    costs[i] = planned.top();
   });
   PlannedSubtrees planned;
   for (std::size_t i = parts.size(); i-- > 0;) {
     if (parts[i].is_task()) {
       planned.push(costs[i]);
     } else {
-      plan_next(tree.nodes[parts[i].node], area_scale, planned, plans[parts[i].node]);
+      plans[parts[i].node] = plan_node(tree.nodes[parts[i].node], area_scale, planned);
     }
   }
   return plans;

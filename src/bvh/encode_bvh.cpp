@@ -50,29 +50,29 @@ class Encoder {
   // Writes one node and its triangles, and adds its inner children to `tasks`, the first one last.
   void write_node(const Task& task, std::vector<Task>& tasks) const {
     const WideChildren wide = children_of(task);
-    std::array<Box, kMaxChildren> boxes;
-    Box node_box;
-    std::array<std::uint32_t, kMaxChildren> firsts_below;
+    std::array<LaneBox, kMaxChildren> boxes;
+    LaneBox node_box;
     std::uint32_t first_below = task.first_below + wide.count;
+    const std::size_t tasks_before = tasks.size();
     for (std::uint32_t i = 0; i < wide.count; ++i) {
-      const BinaryChild child = wide.children[i].child;
-      const Box box = is_leaf(child) ? triangle_bounds(triangles_[leaf_triangle(child)]) : tree_.nodes[child].box;
-      grow(node_box, box);
-      boxes[i] = pad_box(box, scene_extent_);
-      firsts_below[i] = first_below;
-      first_below += is_leaf(child) ? 0 : record_count(plans_, child) - 1;
-    }
-    records_[task.record] =
-        quantize_node(std::span(boxes).first(wide.count), pad_box(node_box, scene_extent_), task.first_below);
-    for (std::uint32_t i = wide.count; i-- > 0;) {
       const auto [child, leaf_count] = wide.children[i];
       const std::uint32_t record = task.first_below + i;
+      LaneBox box;
       if (is_leaf(child)) {
-        records_[record] = triangle_record(triangles_[leaf_triangle(child)]);
+        const BvhTriangle& triangle = triangles_[leaf_triangle(child)];
+        box = lane_box(triangle);
+        records_[record] = triangle_record(triangle);
       } else {
-        tasks.push_back({child, leaf_count, record, firsts_below[i], task.depth + 1, task.prefetched});
+        box = lane_box(tree_.nodes[child].box);
+        tasks.push_back({child, leaf_count, record, first_below, task.depth + 1, task.prefetched});
+        first_below += record_count(plans_, child) - 1;
       }
+      node_box.grow(box);
+      boxes[i] = padded(box);
     }
+    std::reverse(tasks.begin() + static_cast<std::ptrdiff_t>(tasks_before), tasks.end());
+    records_[task.record] =
+        quantize_node(std::span<const LaneBox>(boxes).first(wide.count), padded(node_box), task.first_below);
   }
 
   // Asks for the triangles below `task`, which lie all over memory, before each is waited for in turn.
@@ -112,6 +112,8 @@ class Encoder {
     single.children[single.count++] = {task.node, 1};
     return single;
   }
+
+  LaneBox padded(const LaneBox& box) const { return pad_box(box, scene_extent_); }
 
   BvhRecord triangle_record(const BvhTriangle& triangle) const {
     const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };

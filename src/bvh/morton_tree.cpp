@@ -83,9 +83,15 @@ class MortonTreeBuilder {
     const CodedReference* last = codes_ + range.end - 1;
     const std::uint64_t differing = first->code ^ last->code;
     if (differing == 0 || range.depth >= kMedianDepth) return range.begin + (range.size() + 1) / 2;
-    const std::uint64_t highest = std::bit_floor(differing);
-    const auto is_left = [highest](const CodedReference& coded) { return (coded.code & highest) == 0; };
-    return static_cast<std::size_t>(std::partition_point(first, last, is_left) - codes_);
+    const int highest = std::bit_width(differing) - 1;
+    // Binary search without branches, which would be foreseen every other time: the last on the left is among `count`
+    // from `first` on.
+    for (std::size_t count = range.size() - 1; count > 1;) {
+      const std::size_t half = count / 2;
+      first += half & ((first[half].code >> highest & 1) - 1);
+      count -= half;
+    }
+    return static_cast<std::size_t>(first + 1 - codes_);
   }
 
   Halves halves_of(const Range& range) const {

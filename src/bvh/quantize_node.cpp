@@ -1,8 +1,8 @@
 #include "bvh/quantize_node.h"
 
+#include <algorithm>
+#include <array>
 #include <bit>
-
-#include "bvh/lanes.h"
 
 namespace vernier {
 namespace {
@@ -62,10 +62,10 @@ IntLanes exponent_bytes(const Distances& distance) {
 
 }  // namespace
 
-BvhRecord quantize_node(std::span<const Box> children, const Box& node, std::uint32_t child_base) {
+BvhRecord quantize_node(std::span<const LaneBox> children, const LaneBox& node, std::uint32_t child_base) {
   using Words = std::uint32_t __attribute__((vector_size(16)));
-  const Lanes origin = lanes_from(node.lo);
-  const IntLanes exponents = exponent_bytes(distances_from(origin, lanes_from(node.hi)));
+  const Lanes origin = node.lo;
+  const IntLanes exponents = exponent_bytes(distances_from(origin, node.hi));
   const CellGrid grid(exponents);
   // A byte for each child, in a word for each axis.
   Words lo = {};
@@ -73,14 +73,14 @@ BvhRecord quantize_node(std::span<const Box> children, const Box& node, std::uin
   std::uint32_t empty_slots = 0xffffffffu;
   for (std::size_t i = 0; i < children.size(); ++i) {
     const auto shift = static_cast<std::uint32_t>(8 * i);
-    lo |= std::bit_cast<Words>(grid.down(distances_from(origin, lanes_from(children[i].lo)))) << shift;
-    hi |= std::bit_cast<Words>(grid.up(distances_from(origin, lanes_from(children[i].hi)))) << shift;
+    lo |= std::bit_cast<Words>(grid.down(distances_from(origin, children[i].lo))) << shift;
+    hi |= std::bit_cast<Words>(grid.up(distances_from(origin, children[i].hi))) << shift;
     empty_slots &= ~(0xffu << shift);
   }
   lo |= empty_slots;
-  return {std::bit_cast<std::uint32_t>(node.lo.x),
-          std::bit_cast<std::uint32_t>(node.lo.y),
-          std::bit_cast<std::uint32_t>(node.lo.z),
+  return {std::bit_cast<std::uint32_t>(node.lo[0]),
+          std::bit_cast<std::uint32_t>(node.lo[1]),
+          std::bit_cast<std::uint32_t>(node.lo[2]),
           static_cast<std::uint32_t>(exponents[0] | exponents[1] << 8 | exponents[2] << 16),
           lo[0],
           hi[0],
@@ -90,6 +90,12 @@ BvhRecord quantize_node(std::span<const Box> children, const Box& node, std::uin
           hi[2],
           child_base,
           static_cast<std::uint32_t>(children.size())};
+}
+
+BvhRecord quantize_node(std::span<const Box> children, const Box& node, std::uint32_t child_base) {
+  std::array<LaneBox, 4> boxes;
+  std::ranges::transform(children, boxes.begin(), [](const Box& box) { return lane_box(box); });
+  return quantize_node(std::span<const LaneBox>(boxes).first(children.size()), lane_box(node), child_base);
 }
 
 }  // namespace vernier

@@ -10,15 +10,15 @@
 namespace vernier {
 namespace {
 
-// More would scatter to more places at once than the nearest memory keeps open.
-constexpr int kDigitBits = 8;
+// Three passes. More would scatter to more places at once than the second cache keeps open.
+constexpr int kDigitBits = 13;
 constexpr int kCodeBits = 63;
 // Codes seldom agree in the bits above these without being equal: a cell is 2^-13 of the scene. Runs that do are put in
-// order one by one, which spares three passes over all.
+// order one by one, which spares two passes over all.
 constexpr int kLowBits = 24;
 constexpr std::size_t kDigitCount = std::size_t{1} << kDigitBits;
 // References per piece at least: threads cost more than a smaller one saves.
-constexpr std::size_t kLeastPiece = 32768;
+constexpr std::size_t kLeastPiece = 16384;
 
 // For each digit how many references of a piece have it, then where the first of them goes.
 using DigitPlaces = std::array<std::uint32_t, kDigitCount>;
