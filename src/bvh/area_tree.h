@@ -2,6 +2,7 @@
 
 #include "bvh/binary_tree.h"
 #include "bvh/triangle_reference.h"
+#include "math/thread_team.h"
 
 namespace vernier {
 
@@ -13,9 +14,9 @@ enum class SplitSearch {
 
 /// Makes the references.all.size() - 1 `nodes` of a tree over two or more `references`, which are put in another order,
 /// numbered as BinaryTree says: each range is split where the surface area heuristic is least among those that `search`
-/// tries, by medians from depth kMedianDepth on. The same for every `thread_count` (at least 1). `done` as in
+/// tries, by medians from depth kMedianDepth on. The same for every `team`. `done` as in
 /// build_binary_tree.
-void fill_nodes_by_area(const TriangleReferences& references, SplitSearch search, BinaryNode* nodes,
-                        unsigned thread_count, const CountDone& done);
+void fill_nodes_by_area(const TriangleReferences& references, SplitSearch search, BinaryNode* nodes, ThreadTeam& team,
+                        const CountDone& done);
 
 }  // namespace vernier

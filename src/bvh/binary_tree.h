@@ -8,6 +8,7 @@
 #include "bvh/bvh.h"
 #include "bvh/large_array.h"
 #include "bvh/workspace.h"
+#include "math/thread_team.h"
 
 namespace vernier {
 
@@ -51,10 +52,10 @@ inline constexpr std::uint32_t kMedianDepth = 48;
 /// Per triangle: references, and codes twice over with BuildMethod::fast.
 inline constexpr std::size_t kWorkspaceBytes = 64;
 
-/// Builds the tree over all triangles that have area by `method`, on `thread_count` (at least 1) threads; bit-identical
-/// for every number of them. `done` is told of triangles that have their place. Fewer than 2^31 triangles with finite
+/// Builds the tree over all triangles that have area by `method`, on the threads of `team`; bit-identical for every
+/// number of them. `done` is told of triangles that have their place. Fewer than 2^31 triangles with finite
 /// coordinates. The nodes are 32 bytes per triangle; `workspace` has kWorkspaceBytes per triangle.
-BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, BuildMethod method, unsigned thread_count,
+BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, BuildMethod method, ThreadTeam& team,
                              Workspace workspace, const CountDone& done = {});
 
 }  // namespace vernier

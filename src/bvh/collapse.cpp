@@ -4,7 +4,6 @@
 #include <vector>
 
 #include "bvh/box.h"
-#include "math/parallel_for.h"
 
 namespace vernier {
 namespace {
@@ -138,13 +137,13 @@ void open_node(const BinaryTree& tree, const CollapsePlans& plans, WideChildren:
 
 }  // namespace
 
-CollapsePlans plan_collapse(const BinaryTree& tree, unsigned thread_count) {
+CollapsePlans plan_collapse(const BinaryTree& tree, ThreadTeam& team) {
   const double area_scale = 1.0 / half_area(tree.bounds);
   CollapsePlans plans(tree.leaf_count - 1);
   const std::vector<Part> parts = upper_parts(tree);
   std::vector<SubtreeCost> costs(parts.size());
   // The numbers of parents are lower than those of what is below them, so backwards every node finds its sides planned.
-  parallel_for(thread_count, parts.size(), [&](std::size_t i) {
+  team.run(parts.size(), [&](std::size_t i) {
     if (!parts[i].is_task()) return;
     PlannedSubtrees planned;
     for (std::uint32_t node = parts[i].node + parts[i].leaf_count - 1; node-- > parts[i].node;) {

@@ -5,6 +5,7 @@
 
 #include "bvh/binary_tree.h"
 #include "bvh/large_array.h"
+#include "math/thread_team.h"
 
 namespace vernier {
 
@@ -33,9 +34,9 @@ using CollapsePlans = LargeArray<CollapsePlan>;
 
 /// Finds the collapse to degree 4 whose nodes have the least sum of areas, by dynamic programming from the leaves up
 /// (after Ylitie, Karras, Laine 2017, Efficient Incoherent Ray Traversal on GPUs Through Compressed Wide BVHs, 3.1;
-/// here every leaf stays one triangle). At least two triangles, 2^24 at most. The same for every `thread_count`. 4
+/// here every leaf stays one triangle). At least two triangles, 2^24 at most. The same for every `team`. 4
 /// bytes per triangle.
-CollapsePlans plan_collapse(const BinaryTree& tree, unsigned thread_count);
+CollapsePlans plan_collapse(const BinaryTree& tree, ThreadTeam& team);
 
 /// Records of the subtree below `child` when it is one child of a wide node, itself included.
 inline std::uint32_t record_count(const CollapsePlans& plans, BinaryChild child) {

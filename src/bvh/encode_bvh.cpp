@@ -9,7 +9,6 @@
 #include "bvh/box.h"
 #include "bvh/quantize_node.h"
 #include "error.h"
-#include "math/parallel_for.h"
 #include "shared/bvh_record.h"
 
 namespace vernier {
@@ -148,7 +147,7 @@ std::uint32_t count_records(const BinaryTree& tree, const CollapsePlans& plans) 
 }  // namespace
 
 Bvh encode_bvh(const BinaryTree& tree, const CollapsePlans& plans, std::span<const BvhTriangle> triangles,
-               const std::function<bool(std::uint32_t)>& not_opaque, unsigned thread_count, const CountDone& done,
+               const std::function<bool(std::uint32_t)>& not_opaque, ThreadTeam& team, const CountDone& done,
                LargeArray<BvhRecord> memory) {
   Bvh bvh;
   if (tree.leaf_count == 0) {
@@ -175,7 +174,7 @@ Bvh encode_bvh(const BinaryTree& tree, const CollapsePlans& plans, std::span<con
     }
   }
   std::vector<std::uint32_t> depths(subtrees.size());
-  parallel_for(thread_count, subtrees.size(), [&](std::size_t i) {
+  team.run(subtrees.size(), [&](std::size_t i) {
     depths[i] = encoder.write_subtree(subtrees[i]);
     if (done) done(subtrees[i].leaf_count);
   });

@@ -8,6 +8,7 @@
 #include "bvh/build_progress.h"
 #include "bvh/bvh.h"
 #include "bvh/collapse.h"
+#include "math/thread_team.h"
 
 namespace vernier {
 
@@ -17,7 +18,7 @@ namespace vernier {
 /// they are written. Records are written to the start of `memory` as far as it is large enough; what it held before is
 /// lost. Throws Error(refused) above BVH_MAX_RECORDS records.
 Bvh encode_bvh(const BinaryTree& tree, const CollapsePlans& plans, std::span<const BvhTriangle> triangles,
-               const std::function<bool(std::uint32_t)>& not_opaque, unsigned thread_count, const CountDone& done = {},
+               const std::function<bool(std::uint32_t)>& not_opaque, ThreadTeam& team, const CountDone& done = {},
                LargeArray<BvhRecord> memory = {});
 
 }  // namespace vernier

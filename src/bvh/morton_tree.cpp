@@ -7,7 +7,6 @@
 #include "bvh/box.h"
 #include "bvh/morton_code.h"
 #include "bvh/sort_codes.h"
-#include "math/parallel_for.h"
 
 namespace vernier {
 namespace {
@@ -31,9 +30,9 @@ struct Range {
   std::size_t size() const { return end - begin; }
 };
 
-void make_codes(const TriangleReferences& references, unsigned thread_count, CodedReferences codes) {
+void make_codes(const TriangleReferences& references, ThreadTeam& team, CodedReferences codes) {
   const MortonGrid grid(references.bounds.centres);
-  parallel_for(thread_count, (references.all.size() + kPiece - 1) / kPiece, [&](std::size_t piece) {
+  team.run((references.all.size() + kPiece - 1) / kPiece, [&](std::size_t piece) {
     const std::size_t end = std::min((piece + 1) * kPiece, references.all.size());
     for (std::size_t i = piece * kPiece; i < end; ++i) {
       codes[i] = {grid.code(doubled_centre(references.all[i])), static_cast<std::uint32_t>(i)};
@@ -47,7 +46,7 @@ class MortonTreeBuilder {
       : references_(references), codes_(codes), nodes_(nodes) {}
 
   // The uppermost ranges are divided, what is below them is built by threads, then they become nodes.
-  void build(std::size_t count, unsigned thread_count, const CountDone& done) {
+  void build(std::size_t count, ThreadTeam& team, const CountDone& done) {
     std::vector<Range> waiting = {{0, count, 0, 0}};
     std::vector<Range> tasks;
     std::vector<Range> upper;
@@ -63,7 +62,7 @@ class MortonTreeBuilder {
         if (half.size() > 1) waiting.push_back(half);
       }
     }
-    parallel_for(thread_count, tasks.size(), [&](std::size_t i) {
+    team.run(tasks.size(), [&](std::size_t i) {
       build_range(tasks[i]);
       if (done) done(tasks[i].size());
     });
@@ -143,12 +142,12 @@ class MortonTreeBuilder {
 
 }  // namespace
 
-void fill_nodes_by_code(const TriangleReferences& references, BinaryNode* nodes, unsigned thread_count,
-                        Workspace& workspace, const CountDone& done) {
+void fill_nodes_by_code(const TriangleReferences& references, BinaryNode* nodes, ThreadTeam& team, Workspace& workspace,
+                        const CountDone& done) {
   const auto unsorted = workspace.take<CodedReference>(references.all.size());
-  make_codes(references, thread_count, unsorted);
-  const auto codes = sort_by_code(unsorted, workspace.take<CodedReference>(references.all.size()), thread_count);
-  MortonTreeBuilder(references.all.data(), codes.data(), nodes).build(references.all.size(), thread_count, done);
+  make_codes(references, team, unsorted);
+  const auto codes = sort_by_code(unsorted, workspace.take<CodedReference>(references.all.size()), team);
+  MortonTreeBuilder(references.all.data(), codes.data(), nodes).build(references.all.size(), team, done);
 }
 
 }  // namespace vernier

@@ -2,6 +2,7 @@
 
 #include "bvh/binary_tree.h"
 #include "bvh/triangle_reference.h"
+#include "math/thread_team.h"
 
 namespace vernier {
 
@@ -9,9 +10,9 @@ namespace vernier {
 /// the order of their Morton codes: a range is split where the highest bit changes in which its codes differ
 /// (Lauterbach et al. 2009, Fast BVH Construction on GPUs), or in its middle where they are equal or the depth is
 /// kMedianDepth. No heuristic looks at areas: several times quicker than fill_nodes_by_area, and the tree is somewhat
-/// dearer. The same for every `thread_count` (at least 1). `done` as in build_binary_tree. 32 bytes of `workspace` per
+/// dearer. The same for every `team`. `done` as in build_binary_tree. 32 bytes of `workspace` per
 /// reference.
-void fill_nodes_by_code(const TriangleReferences& references, BinaryNode* nodes, unsigned thread_count,
-                        Workspace& workspace, const CountDone& done);
+void fill_nodes_by_code(const TriangleReferences& references, BinaryNode* nodes, ThreadTeam& team, Workspace& workspace,
+                        const CountDone& done);
 
 }  // namespace vernier

@@ -5,8 +5,6 @@
 #include <utility>
 #include <vector>
 
-#include "math/parallel_for.h"
-
 namespace vernier {
 namespace {
 
@@ -29,21 +27,21 @@ std::size_t digit_of(const CodedReference& reference, int shift) {
 
 class RadixSort {
  public:
-  RadixSort(std::span<const CodedReference> from, unsigned thread_count)
+  RadixSort(std::span<const CodedReference> from, ThreadTeam& team)
       : from_(from),
-        thread_count_(thread_count),
-        piece_(std::max(from.size() / thread_count + 1, kLeastPiece)),
+        team_(team),
+        piece_(std::max(from.size() / team.thread_count() + 1, kLeastPiece)),
         places_((from.size() + piece_ - 1) / piece_) {}
 
   // Moves all from the one array to `to`, in order of the digit at `shift`; false, and nothing, where all have the
   // same.
   bool pass(CodedReference* to, int shift) {
-    parallel_for(thread_count_, places_.size(), [&](std::size_t i) {
+    team_.run(places_.size(), [&](std::size_t i) {
       places_[i].fill(0);
       for (const CodedReference& reference : piece(i)) ++places_[i][digit_of(reference, shift)];
     });
     if (!turn_counts_to_places(digit_of(from_.front(), shift))) return false;
-    parallel_for(thread_count_, places_.size(), [&](std::size_t i) {
+    team_.run(places_.size(), [&](std::size_t i) {
       for (const CodedReference& reference : piece(i)) to[places_[i][digit_of(reference, shift)]++] = reference;
     });
     from_ = {to, from_.size()};
@@ -71,7 +69,7 @@ class RadixSort {
   }
 
   std::span<const CodedReference> from_;
-  unsigned thread_count_;
+  ThreadTeam& team_;
   std::size_t piece_;
   std::vector<DigitPlaces> places_;
 };
@@ -95,13 +93,13 @@ void sort_runs(std::span<CodedReference> references, std::size_t begin, std::siz
 }  // namespace
 
 std::span<const CodedReference> sort_by_code(std::span<CodedReference> references, std::span<CodedReference> other,
-                                             unsigned thread_count) {
+                                             ThreadTeam& team) {
   if (references.size() < 2) return references;
-  RadixSort sort(references, thread_count);
+  RadixSort sort(references, team);
   for (int shift = kLowBits; shift < kCodeBits; shift += kDigitBits) {
     if (sort.pass(other.data(), shift)) std::swap(references, other);
   }
-  parallel_for(thread_count, (references.size() + kLeastPiece - 1) / kLeastPiece, [&](std::size_t i) {
+  team.run((references.size() + kLeastPiece - 1) / kLeastPiece, [&](std::size_t i) {
     sort_runs(references, i * kLeastPiece, std::min((i + 1) * kLeastPiece, references.size()));
   });
   return references;

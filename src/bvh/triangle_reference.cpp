@@ -5,7 +5,6 @@
 
 #include "bvh/box.h"
 #include "bvh/zero_area.h"
-#include "math/parallel_for.h"
 
 namespace vernier {
 namespace {
@@ -51,12 +50,11 @@ ReferenceBounds bounds_of(std::span<const TriangleReference> references) {
   return bounds;
 }
 
-TriangleReferences make_references(std::span<const BvhTriangle> triangles, unsigned thread_count,
-                                   Workspace& workspace) {
+TriangleReferences make_references(std::span<const BvhTriangle> triangles, ThreadTeam& team, Workspace& workspace) {
   TriangleReferences references;
   references.all = workspace.take<TriangleReference>(triangles.size());
   std::vector<Chunk> chunks((triangles.size() + kChunk - 1) / kChunk);
-  parallel_for(thread_count, chunks.size(), [&](std::size_t i) {
+  team.run(chunks.size(), [&](std::size_t i) {
     const std::size_t first = i * kChunk;
     chunks[i] = fill_chunk(triangles, first, std::min(first + kChunk, triangles.size()), references.all.data() + first);
   });

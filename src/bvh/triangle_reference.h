@@ -5,6 +5,7 @@
 
 #include "bvh/lanes.h"
 #include "bvh/workspace.h"
+#include "math/thread_team.h"
 
 namespace vernier {
 
@@ -47,8 +48,8 @@ struct TriangleReferences {
   double half_area_sum = 0.0;  ///< of the triangles' boxes, added in the same order for every thread count
 };
 
-/// Makes the references on `thread_count` threads in 32 bytes of `workspace` per triangle. Fewer than 2^31 triangles
+/// Makes the references on the threads of `team` in 32 bytes of `workspace` per triangle. Fewer than 2^31 triangles
 /// with finite coordinates.
-TriangleReferences make_references(std::span<const BvhTriangle> triangles, unsigned thread_count, Workspace& workspace);
+TriangleReferences make_references(std::span<const BvhTriangle> triangles, ThreadTeam& team, Workspace& workspace);
 
 }  // namespace vernier

@@ -89,13 +89,14 @@ void add_planned(const BinaryTree& tree, const CollapsePlans& plans, std::uint32
 }
 
 TEST(PlanCollapse, FindsTheLeastAreaAndCountsRight) {
+  ThreadTeam team(2);
   for (const auto& [name, triangles] : all_sets()) {
     LargeArray<std::byte> memory(kWorkspaceBytes * triangles.size());
-    const BinaryTree tree = build_binary_tree(triangles, BuildMethod::standard, 2, Workspace(memory));
+    const BinaryTree tree = build_binary_tree(triangles, BuildMethod::standard, team, Workspace(memory));
     if (tree.leaf_count < 2) {
       continue;
     }
-    const CollapsePlans plans = plan_collapse(tree, 2);
+    const CollapsePlans plans = plan_collapse(tree, team);
     Total total;
     add_planned(tree, plans, 0, tree.leaf_count, total);
     EXPECT_EQ(total.leaves, tree.leaf_count) << name;

@@ -29,8 +29,9 @@ void expect_sorted(const Codes& codes) {
   std::ranges::sort(expected, {}, [](const CodedReference& one) { return std::tuple(one.code, one.reference); });
   for (const unsigned thread_count : {1u, 2u, 5u}) {
     Codes sorted = codes;
+    ThreadTeam team(thread_count);
     Codes other(codes.size());
-    EXPECT_TRUE(std::ranges::equal(sort_by_code(sorted, other, thread_count), expected, same)) << thread_count;
+    EXPECT_TRUE(std::ranges::equal(sort_by_code(sorted, other, team), expected, same)) << thread_count;
   }
 }
 
