@@ -6,7 +6,6 @@
 #include "bvh/bin_split.h"
 #include "bvh/box.h"
 #include "bvh/median_split.h"
-#include "bvh/sorted_split.h"
 #include "bvh/sweep_split.h"
 #include "bvh/work_queue.h"
 
@@ -15,8 +14,6 @@ namespace {
 
 // Subtrees of up to this many triangles are built by one thread.
 constexpr std::size_t kTaskSize = 4096;
-// Above this sorting costs more than it gains: bins are as good where a node holds many triangles.
-constexpr std::size_t kSortedLimit = 65536;
 // A way down is at most kMedianDepth + log2(2^31) nodes long, and leaves one subtree waiting at each.
 constexpr std::size_t kLongestWay = kMedianDepth + 31 + 1;
 
@@ -30,20 +27,10 @@ struct Subtree {
   std::size_t size() const { return end - begin; }
 };
 
-// Is there a split between centres at all?
-bool spreads(const LaneBox& centres) {
-  return vec3_from(centres.lo) != vec3_from(centres.hi);
-}
-
 class TreeBuilder {
  public:
-  TreeBuilder(TriangleReference* references, std::size_t count, BinaryNode* nodes, float area_scale,
-              std::size_t sorted_limit)
-      : references_(references),
-        nodes_(nodes),
-        area_scale_(area_scale),
-        sorted_limit_(sorted_limit),
-        queue_(count / kTaskSize + 2) {}
+  TreeBuilder(TriangleReference* references, std::size_t count, BinaryNode* nodes, float area_scale)
+      : references_(references), nodes_(nodes), area_scale_(area_scale), queue_(count / kTaskSize + 2) {}
 
   // Splits the root on all threads together, then lets them take subtrees.
   void build(const Subtree& root, ThreadTeam& team, const CountDone& done) {
@@ -72,9 +59,6 @@ class TreeBuilder {
     }
     if (references.size() <= kSweepLimit) {
       return split_by_sweep(references, area_scale_);
-    }
-    if (references.size() <= sorted_limit_ && spreads(subtree.bounds.centres)) {
-      return split_by_sorting(references, area_scale_);
     }
     const std::optional<Split> split = split_by_bins(references, subtree.bounds, area_scale_, team);
     return split ? *split : split_by_median(references, subtree.bounds);
@@ -122,19 +106,17 @@ class TreeBuilder {
   TriangleReference* references_;
   BinaryNode* nodes_;
   float area_scale_;
-  std::size_t sorted_limit_;
   WorkQueue<Subtree> queue_;
 };
 
 }  // namespace
 
-void fill_nodes_by_area(const TriangleReferences& references, SplitSearch search, BinaryNode* nodes, ThreadTeam& team,
+void fill_nodes_by_area(const TriangleReferences& references, BinaryNode* nodes, ThreadTeam& team,
                         const CountDone& done) {
   const float longest = longest_side(box_from(references.bounds.box));
   // Any scale would do that keeps products of sides inside float; the smallest normal side is enough of a floor.
   const float area_scale = 1.0f / std::max(longest, 0x1p-126f);
-  TreeBuilder builder(references.all.data(), references.all.size(), nodes, area_scale,
-                      search == SplitSearch::all ? kSortedLimit : 0);
+  TreeBuilder builder(references.all.data(), references.all.size(), nodes, area_scale);
   builder.build({0, references.all.size(), 0, 0, references.bounds}, team, done);
 }
 

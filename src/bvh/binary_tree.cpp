@@ -7,6 +7,7 @@
 #include "bvh/area_tree.h"
 #include "bvh/box.h"
 #include "bvh/morton_tree.h"
+#include "bvh/reinsertion.h"
 
 namespace vernier {
 namespace {
@@ -36,9 +37,8 @@ void fill_nodes(const TriangleReferences& references, BuildMethod method, Binary
     case BuildMethod::fast:
       return fill_nodes_by_code(references, nodes, team, workspace, done);
     case BuildMethod::standard:
-      return fill_nodes_by_area(references, SplitSearch::bins, nodes, team, done);
     case BuildMethod::quality:
-      return fill_nodes_by_area(references, SplitSearch::all, nodes, team, done);
+      return fill_nodes_by_area(references, nodes, team, done);
   }
 }
 
@@ -58,6 +58,7 @@ BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, BuildMethod
   } else {
     tree.nodes.resize(references.all.size() - 1);
     fill_nodes(references, method, tree.nodes.data(), team, workspace, done);
+    if (method == BuildMethod::quality) reinsert_subtrees(tree, triangles, team);
   }
   tree.sah_cost = sah_cost(tree, references.half_area_sum, team);
   return tree;
