@@ -6,18 +6,14 @@
 #include "bvh/bin_split.h"
 #include "bvh/box.h"
 #include "bvh/median_split.h"
-#include "bvh/sorted_split.h"
 #include "bvh/sweep_split.h"
 #include "bvh/work_queue.h"
-#include "math/parallel_for.h"
 
 namespace vernier {
 namespace {
 
 // Subtrees of up to this many triangles are built by one thread.
 constexpr std::size_t kTaskSize = 4096;
-// Above this sorting costs more than it gains: bins are as good where a node holds many triangles.
-constexpr std::size_t kSortedLimit = 65536;
 // A way down is at most kMedianDepth + log2(2^31) nodes long, and leaves one subtree waiting at each.
 constexpr std::size_t kLongestWay = kMedianDepth + 31 + 1;
 
@@ -31,30 +27,20 @@ struct Subtree {
   std::size_t size() const { return end - begin; }
 };
 
-// Is there a split between centres at all?
-bool spreads(const LaneBox& centres) {
-  return vec3_from(centres.lo) != vec3_from(centres.hi);
-}
-
 class TreeBuilder {
  public:
-  TreeBuilder(TriangleReference* references, std::size_t count, BinaryNode* nodes, float area_scale,
-              std::size_t sorted_limit)
-      : references_(references),
-        nodes_(nodes),
-        area_scale_(area_scale),
-        sorted_limit_(sorted_limit),
-        queue_(count / kTaskSize + 2) {}
+  TreeBuilder(TriangleReference* references, std::size_t count, BinaryNode* nodes, float area_scale)
+      : references_(references), nodes_(nodes), area_scale_(area_scale), queue_(count / kTaskSize + 2) {}
 
   // Splits the root on all threads together, then lets them take subtrees.
-  void build(const Subtree& root, unsigned thread_count, const CountDone& done) {
-    Children children = make_node(root, thread_count);
+  void build(const Subtree& root, ThreadTeam& team, const CountDone& done) {
+    Children children = make_node(root, &team);
     for (const Subtree& child : children) {
       if (child.size() > 1) {
         queue_.push(child);
       }
     }
-    parallel_for(thread_count, thread_count, [&](std::size_t) {
+    team.run(team.thread_count(), [&](std::size_t) {
       while (const std::optional<Subtree> subtree = queue_.take()) {
         const std::size_t placed = build_subtree(*subtree);
         if (done) done(placed);
@@ -66,7 +52,7 @@ class TreeBuilder {
  private:
   using Children = std::array<Subtree, 2>;
 
-  Split split(const Subtree& subtree, unsigned thread_count) {
+  Split split(const Subtree& subtree, ThreadTeam* team) {
     const std::span<TriangleReference> references(references_ + subtree.begin, subtree.size());
     if (subtree.depth >= kMedianDepth) {
       return split_by_median(references, subtree.bounds);
@@ -74,16 +60,13 @@ class TreeBuilder {
     if (references.size() <= kSweepLimit) {
       return split_by_sweep(references, area_scale_);
     }
-    if (references.size() <= sorted_limit_ && spreads(subtree.bounds.centres)) {
-      return split_by_sorting(references, area_scale_);
-    }
-    const std::optional<Split> split = split_by_bins(references, subtree.bounds, area_scale_, thread_count);
+    const std::optional<Split> split = split_by_bins(references, subtree.bounds, area_scale_, team);
     return split ? *split : split_by_median(references, subtree.bounds);
   }
 
   // A child of one reference is a leaf; a larger one has its nodes where BinaryTree says.
-  Children make_node(const Subtree& subtree, unsigned thread_count) {
-    const Split halves = split(subtree, thread_count);
+  Children make_node(const Subtree& subtree, ThreadTeam* team) {
+    const Split halves = split(subtree, team);
     const std::size_t middle = subtree.begin + halves.middle;
     const auto right_node = subtree.node + static_cast<std::uint32_t>(halves.middle);
     const Children children = {Subtree{subtree.begin, middle, subtree.node + 1, subtree.depth + 1, halves.left},
@@ -105,7 +88,7 @@ class TreeBuilder {
     waiting[waiting_count++] = first;
     while (waiting_count > 0) {
       const Subtree subtree = waiting[--waiting_count];
-      const Children children = make_node(subtree, 1);
+      const Children children = make_node(subtree, nullptr);
       const bool both_are_large = std::min(children[0].size(), children[1].size()) > kTaskSize;
       if (both_are_large) {
         queue_.push(children[1]);
@@ -123,20 +106,18 @@ class TreeBuilder {
   TriangleReference* references_;
   BinaryNode* nodes_;
   float area_scale_;
-  std::size_t sorted_limit_;
   WorkQueue<Subtree> queue_;
 };
 
 }  // namespace
 
-void fill_nodes_by_area(TriangleReferences& references, SplitSearch search, BinaryNode* nodes, unsigned thread_count,
+void fill_nodes_by_area(const TriangleReferences& references, BinaryNode* nodes, ThreadTeam& team,
                         const CountDone& done) {
   const float longest = longest_side(box_from(references.bounds.box));
   // Any scale would do that keeps products of sides inside float; the smallest normal side is enough of a floor.
   const float area_scale = 1.0f / std::max(longest, 0x1p-126f);
-  TreeBuilder builder(references.all.data(), references.count, nodes, area_scale,
-                      search == SplitSearch::all ? kSortedLimit : 0);
-  builder.build({0, references.count, 0, 0, references.bounds}, thread_count, done);
+  TreeBuilder builder(references.all.data(), references.all.size(), nodes, area_scale);
+  builder.build({0, references.all.size(), 0, 0, references.bounds}, team, done);
 }
 
 }  // namespace vernier

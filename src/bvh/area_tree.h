@@ -2,20 +2,14 @@
 
 #include "bvh/binary_tree.h"
 #include "bvh/triangle_reference.h"
+#include "math/thread_team.h"
 
 namespace vernier {
 
-/// Which splits of a range are tried.
-enum class SplitSearch {
-  bins,  ///< those between 16 bins on each axis
-  all    ///< those between any two centres, where the range is not too large
-};
-
-/// Makes the references.count - 1 `nodes` of a tree over two or more `references`, which are put in another order,
-/// numbered as BinaryTree says: each range is split where the surface area heuristic is least among those that `search`
-/// tries, by medians from depth kMedianDepth on. The same for every `thread_count` (at least 1). `done` as in
-/// build_binary_tree.
-void fill_nodes_by_area(TriangleReferences& references, SplitSearch search, BinaryNode* nodes, unsigned thread_count,
+/// Makes the references.all.size() - 1 `nodes` of a tree over two or more `references`, which are put in another order,
+/// numbered as BinaryTree says: each range is split where the surface area heuristic is least between 16 bins on
+/// each axis, by medians from depth kMedianDepth on. The same for every `team`. `done` as in build_binary_tree.
+void fill_nodes_by_area(const TriangleReferences& references, BinaryNode* nodes, ThreadTeam& team,
                         const CountDone& done);
 
 }  // namespace vernier

@@ -5,14 +5,12 @@
 #include <limits>
 #include <mutex>
 
-#include "math/parallel_for.h"
-
 namespace vernier {
 namespace {
 
 constexpr int kBinCount = 16;
 // Below this many references threads cost more than they save.
-constexpr std::size_t kThreadedCount = 1u << 16;
+constexpr std::size_t kThreadedCount = 1u << 14;
 
 struct Bins {
   std::array<std::array<LaneBox, kBinCount>, 3> boxes;
@@ -60,11 +58,11 @@ void merge_bins(const Bins& from, Bins& into) {
 }
 
 // Minima, maxima and counts do not depend on the order in which the pieces are merged.
-void fill_bins_threaded(std::span<const TriangleReference> references, const BinGrid& grid, unsigned thread_count,
+void fill_bins_threaded(std::span<const TriangleReference> references, const BinGrid& grid, ThreadTeam& team,
                         Bins& bins) {
   std::mutex merge_mutex;
-  const std::size_t piece = references.size() / thread_count + 1;
-  parallel_for(thread_count, (references.size() + piece - 1) / piece, [&](std::size_t i) {
+  const std::size_t piece = references.size() / team.thread_count() + 1;
+  team.run((references.size() + piece - 1) / piece, [&](std::size_t i) {
     Bins own;
     fill_bins(references.subspan(i * piece, std::min(piece, references.size() - i * piece)), grid, own);
     const std::scoped_lock lock(merge_mutex);
@@ -130,11 +128,11 @@ std::size_t partition(std::span<TriangleReference> references, const BinGrid& gr
 }  // namespace
 
 std::optional<Split> split_by_bins(std::span<TriangleReference> references, const ReferenceBounds& bounds,
-                                   float area_scale, unsigned thread_count) {
+                                   float area_scale, ThreadTeam* team) {
   const BinGrid grid = make_grid(bounds.centres);
   Bins bins;
-  if (thread_count > 1 && references.size() > kThreadedCount) {
-    fill_bins_threaded(references, grid, thread_count, bins);
+  if (team != nullptr && team->thread_count() > 1 && references.size() > kThreadedCount) {
+    fill_bins_threaded(references, grid, *team, bins);
   } else {
     fill_bins(references, grid, bins);
   }

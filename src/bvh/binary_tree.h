@@ -7,6 +7,8 @@
 #include "bvh/build_progress.h"
 #include "bvh/bvh.h"
 #include "bvh/large_array.h"
+#include "bvh/workspace.h"
+#include "math/thread_team.h"
 
 namespace vernier {
 
@@ -47,10 +49,13 @@ inline std::uint32_t left_leaf_count(const BinaryNode& node, std::uint32_t node_
 /// From this depth on ranges are halved: neither areas nor codes keep a split from peeling off one triangle at a time.
 inline constexpr std::uint32_t kMedianDepth = 48;
 
-/// Builds the tree over all triangles that have area by `method`, on `thread_count` (at least 1) threads; bit-identical
-/// for every number of them. `done` is told of triangles that have their place. Fewer than 2^31 triangles with finite
-/// coordinates. Takes 64 bytes per triangle, with BuildMethod::fast 96; keeps 32.
-BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, BuildMethod method, unsigned thread_count,
-                             const CountDone& done = {});
+/// Per triangle: references, and codes twice over with BuildMethod::fast.
+inline constexpr std::size_t kWorkspaceBytes = 64;
+
+/// Builds the tree over all triangles that have area by `method`, on the threads of `team`; bit-identical for every
+/// number of them. `done` is told of triangles that have their place. Fewer than 2^31 triangles with finite
+/// coordinates. The nodes are 32 bytes per triangle; `workspace` has kWorkspaceBytes per triangle.
+BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, BuildMethod method, ThreadTeam& team,
+                             Workspace workspace, const CountDone& done = {});
 
 }  // namespace vernier

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "bvh/bvh.h"
+#include "bvh/lanes.h"
 
 namespace vernier {
 
@@ -50,15 +50,26 @@ inline double promised_padding(const Box& box, float scene_extent) {
   return std::max(0x1p-22 * largest, 0x1p-40 * scene_extent);
 }
 
-/// `box` moved outwards by promised_padding or a little more. Monotone: the padded box of a box holds the padded
-/// boxes of all boxes inside it. Works up to coordinates of 1e38; the box is not empty.
+/// How far pad_box moves the sides of a box whose largest absolute coordinate is `largest`.
 ///
 /// Half as much again is added because the subtraction rounds: its error is at most 2^-24 of the largest coordinate,
 /// a quarter of the promise. The smallest normal float keeps denormal boxes from a padding of 0.
+inline float padding_of(float largest, float scene_extent) {
+  return std::max(1.5f * std::max(0x1p-22f * largest, 0x1p-40f * scene_extent), 0x1p-126f);
+}
+
+/// `box` moved outwards by promised_padding or a little more. Monotone: the padded box of a box holds the padded
+/// boxes of all boxes inside it. Works up to coordinates of 1e38; the box is not empty.
 inline Box pad_box(const Box& box, float scene_extent) {
   const glm::vec3 reach = glm::max(glm::abs(box.lo), glm::abs(box.hi));
-  const float largest = std::max(reach.x, std::max(reach.y, reach.z));
-  const float padding = std::max(1.5f * std::max(0x1p-22f * largest, 0x1p-40f * scene_extent), 0x1p-126f);
+  const float padding = padding_of(std::max(reach.x, std::max(reach.y, reach.z)), scene_extent);
+  return {box.lo - padding, box.hi + padding};
+}
+
+/// The same for a box in registers.
+inline LaneBox pad_box(const LaneBox& box, float scene_extent) {
+  const Lanes reach = lanes_max(lanes_max(box.lo, -box.lo), lanes_max(box.hi, -box.hi));
+  const float padding = padding_of(std::max({reach[0], reach[1], reach[2]}), scene_extent);
   return {box.lo - padding, box.hi + padding};
 }
 

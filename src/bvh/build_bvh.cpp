@@ -1,6 +1,7 @@
 #include "bvh/build_bvh.h"
 
 #include <string>
+#include <utility>
 
 #include "bvh/binary_tree.h"
 #include "bvh/build_progress.h"
@@ -28,11 +29,15 @@ void refuse_too_many(std::size_t triangle_count) {
 Bvh build_bvh(std::span<const BvhTriangle> triangles, const std::function<bool(std::uint32_t)>& not_opaque,
               unsigned thread_count, BuildMethod method, const std::function<void(double)>& progress) {
   refuse_too_many(triangles.size());
-  const unsigned threads = resolve_thread_count(thread_count);
+  ThreadTeam team(resolve_thread_count(thread_count));
   BuildProgress done(progress, triangles.size());
-  const BinaryTree tree = build_binary_tree(triangles, method, threads, done.tree_stage());
-  const CollapsePlans plans = tree.leaf_count > 1 ? plan_collapse(tree, threads) : CollapsePlans();
-  return encode_bvh(tree, plans, triangles, not_opaque, threads, done.record_stage());
+  // As many records as are ever needed: the builder works in their memory, and what is not touched costs nothing.
+  LargeArray<BvhRecord> records(2 * triangles.size());
+  static_assert(kWorkspaceBytes <= 2 * sizeof(BvhRecord));
+  const Workspace workspace(std::as_writable_bytes(std::span(records)));
+  const BinaryTree tree = build_binary_tree(triangles, method, team, workspace, done.tree_stage());
+  const CollapsePlans plans = tree.leaf_count > 1 ? plan_collapse(tree, team) : CollapsePlans();
+  return encode_bvh(tree, plans, triangles, not_opaque, team, done.record_stage(), std::move(records));
 }
 
 }  // namespace vernier

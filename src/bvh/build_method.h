@@ -10,7 +10,7 @@ namespace vernier {
 enum class BuildMethod {
   fast,      ///< by Morton codes: quickest to build
   standard,  ///< by the surface area heuristic over 16 bins
-  quality    ///< by the surface area heuristic over all splits between centres, bins only for the uppermost nodes
+  quality    ///< like standard, then subtrees move to where their nodes have less area
 };
 
 /// All of them.

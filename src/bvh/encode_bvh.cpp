@@ -2,20 +2,20 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "bvh/box.h"
 #include "bvh/quantize_node.h"
 #include "bvh/triangle_record.h"
 #include "error.h"
-#include "math/parallel_for.h"
 #include "shared/bvh_record.h"
 
 namespace vernier {
 namespace {
 
 // Subtrees of up to this many triangles are written by one thread.
-constexpr std::uint32_t kTaskSize = 8192;
+constexpr std::uint32_t kTaskSize = 2048;
 
 // Subtrees of up to this many triangles have all of them prefetched: 20 KiB, which the nearest cache holds.
 constexpr std::uint32_t kPrefetched = 512;
@@ -32,6 +32,7 @@ struct Task {
   std::uint32_t record;
   std::uint32_t first_below;
   std::uint32_t depth;  // nodes from the root to this one, both counted
+  bool prefetched;      // the triangles below
 };
 
 class Encoder {
@@ -48,34 +49,34 @@ class Encoder {
   // Writes one node and its triangles, and adds its inner children to `tasks`, the first one last.
   void write_node(const Task& task, std::vector<Task>& tasks) const {
     const WideChildren wide = children_of(task);
-    std::array<Box, kMaxChildren> boxes;
-    Box node_box;
-    std::array<std::uint32_t, kMaxChildren> firsts_below;
+    std::array<LaneBox, kMaxChildren> boxes;
+    LaneBox node_box;
     std::uint32_t first_below = task.first_below + wide.count;
+    const std::size_t tasks_before = tasks.size();
     for (std::uint32_t i = 0; i < wide.count; ++i) {
-      const BinaryChild child = wide.children[i].child;
-      const Box box = is_leaf(child) ? triangle_bounds(triangles_[leaf_triangle(child)]) : tree_.nodes[child].box;
-      grow(node_box, box);
-      boxes[i] = pad_box(box, scene_extent_);
-      firsts_below[i] = first_below;
-      first_below += is_leaf(child) ? 0 : record_count(plans_, child) - 1;
-    }
-    records_[task.record] =
-        quantize_node(std::span(boxes).first(wide.count), pad_box(node_box, scene_extent_), task.first_below);
-    for (std::uint32_t i = wide.count; i-- > 0;) {
       const auto [child, leaf_count] = wide.children[i];
       const std::uint32_t record = task.first_below + i;
+      LaneBox box;
       if (is_leaf(child)) {
         const BvhTriangle& triangle = triangles_[leaf_triangle(child)];
+        box = lane_box(triangle);
         records_[record] = triangle_record(triangle, not_opaque_ && not_opaque_(triangle.id));
       } else {
-        tasks.push_back({child, leaf_count, record, firsts_below[i], task.depth + 1});
+        box = lane_box(tree_.nodes[child].box);
+        tasks.push_back({child, leaf_count, record, first_below, task.depth + 1, task.prefetched});
+        first_below += record_count(plans_, child) - 1;
       }
+      node_box.grow(box);
+      boxes[i] = padded(box);
     }
+    std::reverse(tasks.begin() + static_cast<std::ptrdiff_t>(tasks_before), tasks.end());
+    records_[task.record] =
+        quantize_node(std::span<const LaneBox>(boxes).first(wide.count), padded(node_box), task.first_below);
   }
 
   // Asks for the triangles below `task`, which lie all over memory, before each is waited for in turn.
   void prefetch_triangles(const Task& task) const {
+    if (is_leaf(task.node)) return;
     const std::span nodes = std::span(tree_.nodes).subspan(task.node, task.leaf_count - 1);
     for (const BinaryNode& node : nodes) {
       for (const BinaryChild child : {node.left, node.right}) {
@@ -89,10 +90,13 @@ class Encoder {
     std::uint32_t depth = 0;
     std::vector<Task> waiting = {first};
     while (!waiting.empty()) {
-      const Task task = waiting.back();
+      Task task = waiting.back();
       waiting.pop_back();
       depth = std::max(depth, task.depth);
-      if (task.leaf_count > kPrefetched / 2 && task.leaf_count <= kPrefetched) prefetch_triangles(task);
+      if (!task.prefetched && task.leaf_count <= kPrefetched) {
+        prefetch_triangles(task);
+        task.prefetched = true;
+      }
       write_node(task, waiting);
     }
     return depth;
@@ -107,6 +111,8 @@ class Encoder {
     single.children[single.count++] = {task.node, 1};
     return single;
   }
+
+  LaneBox padded(const LaneBox& box) const { return pad_box(box, scene_extent_); }
 
   const BinaryTree& tree_;
   const CollapsePlans& plans_;
@@ -130,11 +136,13 @@ std::uint32_t count_records(const BinaryTree& tree, const CollapsePlans& plans) 
 }  // namespace
 
 Bvh encode_bvh(const BinaryTree& tree, const CollapsePlans& plans, std::span<const BvhTriangle> triangles,
-               const std::function<bool(std::uint32_t)>& not_opaque, unsigned thread_count, const CountDone& done) {
+               const std::function<bool(std::uint32_t)>& not_opaque, ThreadTeam& team, const CountDone& done,
+               LargeArray<BvhRecord> memory) {
   Bvh bvh;
   if (tree.leaf_count == 0) {
     return bvh;
   }
+  bvh.records = std::move(memory);
   bvh.records.resize(count_records(tree, plans));
   bvh.bounds = tree.bounds;
   bvh.triangle_count = tree.leaf_count;
@@ -142,7 +150,7 @@ Bvh encode_bvh(const BinaryTree& tree, const CollapsePlans& plans, std::span<con
   bvh.sah_cost = tree.sah_cost;
 
   const Encoder encoder(tree, plans, triangles, not_opaque, bvh.records);
-  std::vector<Task> upper = {{tree.root, tree.leaf_count, 0, 1, 1}};
+  std::vector<Task> upper = {{tree.root, tree.leaf_count, 0, 1, 1, false}};
   std::vector<Task> subtrees;
   while (!upper.empty()) {
     const Task task = upper.back();
@@ -155,7 +163,7 @@ Bvh encode_bvh(const BinaryTree& tree, const CollapsePlans& plans, std::span<con
     }
   }
   std::vector<std::uint32_t> depths(subtrees.size());
-  parallel_for(thread_count, subtrees.size(), [&](std::size_t i) {
+  team.run(subtrees.size(), [&](std::size_t i) {
     depths[i] = encoder.write_subtree(subtrees[i]);
     if (done) done(subtrees[i].leaf_count);
   });

@@ -47,6 +47,27 @@ struct LaneBox {
   void grow(const LaneBox& other) { grow(other.lo, other.hi); }
 };
 
+/// Four floats from `first` on, which need not be aligned.
+inline Lanes load_lanes(const float* first) {
+  Lanes lanes;
+  __builtin_memcpy(&lanes, first, sizeof lanes);
+  return lanes;
+}
+
+/// The same box in registers, lane 3 set to 0.
+inline LaneBox lane_box(const Box& box) {
+  const Lanes from_lo_z = load_lanes(&box.lo.z);
+  return {without_lane_3(load_lanes(&box.lo.x)),
+          without_lane_3(__builtin_shufflevector(from_lo_z, from_lo_z, 1, 2, 3, 0))};
+}
+
+/// Bounds of the three corners, lane 3 set to 0.
+inline LaneBox lane_box(const BvhTriangle& triangle) {
+  // What follows a corner in memory, a coordinate or the id, falls into lane 3.
+  const Lanes v0 = load_lanes(&triangle.v0.x), v1 = load_lanes(&triangle.v1.x), v2 = load_lanes(&triangle.v2.x);
+  return {without_lane_3(lanes_min(lanes_min(v0, v1), v2)), without_lane_3(lanes_max(lanes_max(v0, v1), v2))};
+}
+
 /// The same box in plain floats.
 inline Box box_from(const LaneBox& box) {
   return {vec3_from(box.lo), vec3_from(box.hi)};

@@ -8,90 +8,94 @@ namespace vernier {
 namespace {
 
 constexpr int kLargestByte = 255;
-constexpr int kFloatExponentBias = 127;
-constexpr std::uint64_t kDoubleExponentBias = 1023;
-constexpr int kDoubleMantissaBits = 52;
+constexpr int kFloatMantissaBits = 23;
+constexpr int kTwiceFloatBias = 254;
 
-// 2^exponent.
-double power_of_two(int exponent) {
-  return std::bit_cast<double>((kDoubleExponentBias + static_cast<std::uint64_t>(exponent)) << kDoubleMantissaBits);
-}
-
-// A distance along an axis with the error of its rounding: origin + distance + error is exactly the coordinate.
-struct Distance {
-  double rounded, error;
+// Distances along the axes with the errors of their rounding: origin + rounded + error is exactly the coordinate.
+struct Distances {
+  Lanes rounded, error;
 };
 
-// TwoSum (Knuth, The Art of Computer Programming 2, 4.2.2): float coordinates of very different size differ by more
-// than 53 bits.
-Distance distance_from(double origin, double coordinate) {
-  const double rounded = coordinate - origin;
-  const double virtual_origin = coordinate - rounded;
+// TwoSum (Knuth, The Art of Computer Programming 2, 4.2.2), exact in floats too.
+Distances distances_from(Lanes origin, Lanes coordinate) {
+  const Lanes rounded = coordinate - origin;
+  const Lanes virtual_origin = coordinate - rounded;
   return {rounded, (coordinate - (rounded + virtual_origin)) + (virtual_origin - origin)};
 }
 
-// The rounded distance may have landed on a whole number of cells from either side, but cannot have passed one.
-int cells_down(const Distance& distance, double cells_per_unit) {
-  const double cells = distance.rounded * cells_per_unit;
-  const int whole = static_cast<int>(cells);
-  return whole == cells && distance.error < 0.0 ? std::max(whole - 1, 0) : whole;
-}
+// Cells of 2^(byte - 127) along each axis. Whole numbers of cells up to 2^24, and distances in cells that are not below
+// 2^-126, are floats.
+struct CellGrid {
+  Lanes cell, cells_per_unit;
 
-int cells_up(const Distance& distance, double cells_per_unit) {
-  const double cells = distance.rounded * cells_per_unit;
-  const int whole = static_cast<int>(cells);
-  return whole < cells || (whole == cells && distance.error > 0.0) ? whole + 1 : whole;
-}
+  explicit CellGrid(IntLanes byte)
+      : cell(std::bit_cast<Lanes>(byte << kFloatMantissaBits)),
+        cells_per_unit(std::bit_cast<Lanes>((kTwiceFloatBias - byte) << kFloatMantissaBits)) {}
 
-// The least exponent byte with which 255 cells reach as far as `distance`.
-std::uint32_t exponent_byte(const Distance& distance) {
-  const double least_cell = distance.rounded / kLargestByte;
-  const auto bits = std::bit_cast<std::uint64_t>(least_cell);
-  const int exponent = static_cast<int>(bits >> kDoubleMantissaBits) - static_cast<int>(kDoubleExponentBias);
-  const auto lowest = static_cast<int>(kLeastExponent) - kFloatExponentBias;
-  int cell = std::max(exponent, lowest);
-  while (cells_up(distance, power_of_two(-cell)) > kLargestByte) {
-    ++cell;
+  // The rounded distance may have landed on a whole number of cells from either side, but cannot have passed one.
+  // Comparisons are true as -1.
+  IntLanes down(const Distances& distance) const {
+    const IntLanes whole = whole_cells(distance);
+    return whole + ((length(whole) == distance.rounded) & (distance.error < 0.0f));
   }
-  return static_cast<std::uint32_t>(cell + kFloatExponentBias);
-}
+  IntLanes up(const Distances& distance) const {
+    const IntLanes whole = whole_cells(distance);
+    const Lanes reached = length(whole);
+    return whole - ((reached < distance.rounded) | ((reached == distance.rounded) & (distance.error > 0.0f)));
+  }
 
-struct AxisBytes {
-  std::uint32_t exponent, lo, hi;
+ private:
+  IntLanes whole_cells(const Distances& distance) const {
+    return __builtin_convertvector(distance.rounded * cells_per_unit, IntLanes);
+  }
+  Lanes length(IntLanes whole) const { return __builtin_convertvector(whole, Lanes) * cell; }
 };
 
-AxisBytes quantize_axis(std::span<const Box> children, const Box& node, int axis) {
-  const double origin = node.lo[axis];
-  AxisBytes bytes{exponent_byte(distance_from(origin, node.hi[axis])), 0xffffffffu, 0u};
-  const double cells_per_unit = power_of_two(kFloatExponentBias - static_cast<int>(bytes.exponent));
-  for (std::size_t i = 0; i < children.size(); ++i) {
-    const int lo = cells_down(distance_from(origin, children[i].lo[axis]), cells_per_unit);
-    const int hi = cells_up(distance_from(origin, children[i].hi[axis]), cells_per_unit);
-    const auto shift = static_cast<std::uint32_t>(8 * i);
-    bytes.lo = (bytes.lo & ~(0xffu << shift)) | static_cast<std::uint32_t>(lo) << shift;
-    bytes.hi |= static_cast<std::uint32_t>(hi) << shift;
-  }
-  return bytes;
+// The least exponent bytes with which 255 cells reach as far as `distance`: those of a 255th of it or, where that is no
+// power of two, the next.
+IntLanes exponent_bytes(const Distances& distance) {
+  const IntLanes exponent = std::bit_cast<IntLanes>(distance.rounded / kLargestByte) >> kFloatMantissaBits;
+  const IntLanes lowest = IntLanes{} + static_cast<int>(kLeastExponent);
+  const IntLanes byte = exponent > lowest ? exponent : lowest;
+  return byte - (CellGrid(byte).up(distance) > kLargestByte);
 }
 
 }  // namespace
 
-BvhRecord quantize_node(std::span<const Box> children, const Box& node, std::uint32_t child_base) {
-  const AxisBytes x = quantize_axis(children, node, 0);
-  const AxisBytes y = quantize_axis(children, node, 1);
-  const AxisBytes z = quantize_axis(children, node, 2);
-  return {std::bit_cast<std::uint32_t>(node.lo.x),
-          std::bit_cast<std::uint32_t>(node.lo.y),
-          std::bit_cast<std::uint32_t>(node.lo.z),
-          x.exponent | y.exponent << 8 | z.exponent << 16,
-          x.lo,
-          x.hi,
-          y.lo,
-          y.hi,
-          z.lo,
-          z.hi,
+BvhRecord quantize_node(std::span<const LaneBox> children, const LaneBox& node, std::uint32_t child_base) {
+  using Words = std::uint32_t __attribute__((vector_size(16)));
+  const Lanes origin = node.lo;
+  const IntLanes exponents = exponent_bytes(distances_from(origin, node.hi));
+  const CellGrid grid(exponents);
+  // A byte for each child, in a word for each axis.
+  Words lo = {};
+  Words hi = {};
+  std::uint32_t empty_slots = 0xffffffffu;
+  for (std::size_t i = 0; i < children.size(); ++i) {
+    const auto shift = static_cast<std::uint32_t>(8 * i);
+    lo |= std::bit_cast<Words>(grid.down(distances_from(origin, children[i].lo))) << shift;
+    hi |= std::bit_cast<Words>(grid.up(distances_from(origin, children[i].hi))) << shift;
+    empty_slots &= ~(0xffu << shift);
+  }
+  lo |= empty_slots;
+  return {std::bit_cast<std::uint32_t>(node.lo[0]),
+          std::bit_cast<std::uint32_t>(node.lo[1]),
+          std::bit_cast<std::uint32_t>(node.lo[2]),
+          static_cast<std::uint32_t>(exponents[0] | exponents[1] << 8 | exponents[2] << 16),
+          lo[0],
+          hi[0],
+          lo[1],
+          hi[1],
+          lo[2],
+          hi[2],
           child_base,
           static_cast<std::uint32_t>(children.size())};
+}
+
+BvhRecord quantize_node(std::span<const Box> children, const Box& node, std::uint32_t child_base) {
+  std::array<LaneBox, 4> boxes;
+  std::ranges::transform(children, boxes.begin(), [](const Box& box) { return lane_box(box); });
+  return quantize_node(std::span<const LaneBox>(boxes).first(children.size()), lane_box(node), child_base);
 }
 
 }  // namespace vernier

@@ -2,23 +2,21 @@
 
 #include <algorithm>
 #include <array>
-#include <span>
+#include <utility>
 #include <vector>
-
-#include "math/parallel_for.h"
 
 namespace vernier {
 namespace {
 
-// More would scatter to more places at once than the nearest memory keeps open.
-constexpr int kDigitBits = 8;
+// Three passes. More would scatter to more places at once than the second cache keeps open.
+constexpr int kDigitBits = 13;
 constexpr int kCodeBits = 63;
 // Codes seldom agree in the bits above these without being equal: a cell is 2^-13 of the scene. Runs that do are put in
-// order one by one, which spares three passes over all.
+// order one by one, which spares two passes over all.
 constexpr int kLowBits = 24;
 constexpr std::size_t kDigitCount = std::size_t{1} << kDigitBits;
 // References per piece at least: threads cost more than a smaller one saves.
-constexpr std::size_t kLeastPiece = 32768;
+constexpr std::size_t kLeastPiece = 16384;
 
 // For each digit how many references of a piece have it, then where the first of them goes.
 using DigitPlaces = std::array<std::uint32_t, kDigitCount>;
@@ -29,21 +27,21 @@ std::size_t digit_of(const CodedReference& reference, int shift) {
 
 class RadixSort {
  public:
-  RadixSort(std::span<const CodedReference> from, unsigned thread_count)
+  RadixSort(std::span<const CodedReference> from, ThreadTeam& team)
       : from_(from),
-        thread_count_(thread_count),
-        piece_(std::max(from.size() / thread_count + 1, kLeastPiece)),
+        team_(team),
+        piece_(std::max(from.size() / team.thread_count() + 1, kLeastPiece)),
         places_((from.size() + piece_ - 1) / piece_) {}
 
   // Moves all from the one array to `to`, in order of the digit at `shift`; false, and nothing, where all have the
   // same.
   bool pass(CodedReference* to, int shift) {
-    parallel_for(thread_count_, places_.size(), [&](std::size_t i) {
+    team_.run(places_.size(), [&](std::size_t i) {
       places_[i].fill(0);
       for (const CodedReference& reference : piece(i)) ++places_[i][digit_of(reference, shift)];
     });
     if (!turn_counts_to_places(digit_of(from_.front(), shift))) return false;
-    parallel_for(thread_count_, places_.size(), [&](std::size_t i) {
+    team_.run(places_.size(), [&](std::size_t i) {
       for (const CodedReference& reference : piece(i)) to[places_[i][digit_of(reference, shift)]++] = reference;
     });
     from_ = {to, from_.size()};
@@ -71,7 +69,7 @@ class RadixSort {
   }
 
   std::span<const CodedReference> from_;
-  unsigned thread_count_;
+  ThreadTeam& team_;
   std::size_t piece_;
   std::vector<DigitPlaces> places_;
 };
@@ -94,16 +92,17 @@ void sort_runs(std::span<CodedReference> references, std::size_t begin, std::siz
 
 }  // namespace
 
-void sort_by_code(LargeArray<CodedReference>& references, unsigned thread_count) {
-  if (references.size() < 2) return;
-  LargeArray<CodedReference> other(references.size());
-  RadixSort sort(references, thread_count);
+std::span<const CodedReference> sort_by_code(std::span<CodedReference> references, std::span<CodedReference> other,
+                                             ThreadTeam& team) {
+  if (references.size() < 2) return references;
+  RadixSort sort(references, team);
   for (int shift = kLowBits; shift < kCodeBits; shift += kDigitBits) {
-    if (sort.pass(other.data(), shift)) references.swap(other);
+    if (sort.pass(other.data(), shift)) std::swap(references, other);
   }
-  parallel_for(thread_count, (references.size() + kLeastPiece - 1) / kLeastPiece, [&](std::size_t i) {
+  team.run((references.size() + kLeastPiece - 1) / kLeastPiece, [&](std::size_t i) {
     sort_runs(references, i * kLeastPiece, std::min((i + 1) * kLeastPiece, references.size()));
   });
+  return references;
 }
 
 }  // namespace vernier

@@ -5,13 +5,12 @@
 
 #include "bvh/box.h"
 #include "bvh/zero_area.h"
-#include "math/parallel_for.h"
 
 namespace vernier {
 namespace {
 
 // Triangles per piece of work: fixed, so that sums do not depend on the number of threads.
-constexpr std::size_t kChunk = 16384;
+constexpr std::size_t kChunk = 4096;
 
 struct Chunk {
   std::size_t count = 0;
@@ -51,25 +50,27 @@ ReferenceBounds bounds_of(std::span<const TriangleReference> references) {
   return bounds;
 }
 
-TriangleReferences make_references(std::span<const BvhTriangle> triangles, unsigned thread_count) {
+TriangleReferences make_references(std::span<const BvhTriangle> triangles, ThreadTeam& team, Workspace& workspace) {
   TriangleReferences references;
-  references.all.resize(triangles.size());
+  references.all = workspace.take<TriangleReference>(triangles.size());
   std::vector<Chunk> chunks((triangles.size() + kChunk - 1) / kChunk);
-  parallel_for(thread_count, chunks.size(), [&](std::size_t i) {
+  team.run(chunks.size(), [&](std::size_t i) {
     const std::size_t first = i * kChunk;
     chunks[i] = fill_chunk(triangles, first, std::min(first + kChunk, triangles.size()), references.all.data() + first);
   });
+  std::size_t count = 0;
   for (std::size_t i = 0; i < chunks.size(); ++i) {
     TriangleReference* from = references.all.data() + i * kChunk;
-    TriangleReference* to = references.all.data() + references.count;
+    TriangleReference* to = references.all.data() + count;
     if (from != to) {
       std::copy(from, from + chunks[i].count, to);
     }
-    references.count += chunks[i].count;
+    count += chunks[i].count;
     references.bounds.box.grow(chunks[i].bounds.box);
     references.bounds.centres.grow(chunks[i].bounds.centres);
     references.half_area_sum += chunks[i].half_area_sum;
   }
+  references.all = references.all.first(count);
   return references;
 }
 

@@ -4,7 +4,8 @@
 #include <span>
 
 #include "bvh/lanes.h"
-#include "bvh/large_array.h"
+#include "bvh/workspace.h"
+#include "math/thread_team.h"
 
 namespace vernier {
 
@@ -42,13 +43,13 @@ ReferenceBounds bounds_of(std::span<const TriangleReference> references);
 
 /// References to all triangles that have area, in input order.
 struct TriangleReferences {
-  LargeArray<TriangleReference> all;  ///< the first `count` of them
-  std::size_t count = 0;
+  std::span<TriangleReference> all;
   ReferenceBounds bounds;
   double half_area_sum = 0.0;  ///< of the triangles' boxes, added in the same order for every thread count
 };
 
-/// Makes the references on `thread_count` threads. Fewer than 2^31 triangles with finite coordinates.
-TriangleReferences make_references(std::span<const BvhTriangle> triangles, unsigned thread_count);
+/// Makes the references on the threads of `team` in 32 bytes of `workspace` per triangle. Fewer than 2^31 triangles
+/// with finite coordinates.
+TriangleReferences make_references(std::span<const BvhTriangle> triangles, ThreadTeam& team, Workspace& workspace);
 
 }  // namespace vernier

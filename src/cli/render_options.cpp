@@ -158,10 +158,9 @@ void add_aov_option(CLI::App& app, std::string& aov) {
 }
 
 void add_bvh_option(CLI::App& app, std::string& bvh) {
-  app.add_option(
-         "--bvh", bvh,
-         "how the tree of boxes is built: fast (Morton codes), default (surface areas, 16 bins) or quality "
-         "(surface areas, all splits); never changes a bit of the image, but of its layer cost (default: default)")
+  app.add_option("--bvh", bvh,
+                 "how the tree of boxes is built: fast (Morton codes), default (surface areas, 16 bins) or quality "
+                 "(then subtrees move); never changes a bit of the image, but of its layer cost (default: default)")
       ->type_name("METHOD");
 }
 

@@ -1,12 +1,9 @@
 #include "math/parallel_for.h"
 
 #include <algorithm>
-#include <atomic>
-#include <exception>
-#include <mutex>
-#include <system_error>
 #include <thread>
-#include <vector>
+
+#include "math/thread_team.h"
 
 namespace vernier {
 
@@ -15,34 +12,7 @@ unsigned resolve_thread_count(unsigned thread_count) {
 }
 
 void parallel_for(unsigned thread_count, std::size_t count, const std::function<void(std::size_t)>& work) {
-  std::atomic<std::size_t> next{0};
-  std::exception_ptr failure;
-  std::mutex failure_mutex;
-  const auto run = [&] {
-    try {
-      for (std::size_t i = next++; i < count; i = next++) {
-        work(i);
-      }
-    } catch (...) {
-      const std::scoped_lock lock(failure_mutex);
-      next = count;
-      failure = failure ? failure : std::current_exception();
-    }
-  };
-  std::vector<std::jthread> threads;
-  try {
-    const std::size_t wanted = std::min<std::size_t>(thread_count, count);
-    for (std::size_t i = 1; i < wanted; ++i) {
-      threads.emplace_back(run);
-    }
-  } catch (const std::system_error&) {
-    // No more threads to be had: those that run, and this one, share the work.
-  }
-  run();
-  threads.clear();
-  if (failure) {
-    std::rethrow_exception(failure);
-  }
+  ThreadTeam(thread_count).run(count, work);
 }
 
 }  // namespace vernier

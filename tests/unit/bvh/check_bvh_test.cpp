@@ -134,7 +134,8 @@ TEST(CheckBvhLevels, NoticesATreeOfUselessSplits) {
   tree.bounds = halve_by_number(triangles, 0, count, tree, 0);
   // A cost within its bounds: only the levels show what is wrong.
   tree.sah_cost = count;
-  const Bvh bad = encode_bvh(tree, plan_collapse(tree, 1), triangles, {}, 1);
+  ThreadTeam alone(1);
+  const Bvh bad = encode_bvh(tree, plan_collapse(tree, alone), triangles, {}, alone);
   const std::string fault = check_bvh(bad, triangles);
   EXPECT_EQ(fault.substr(0, 6), "level ") << fault;
 }

@@ -6,11 +6,12 @@
 #include <functional>
 #include <random>
 #include <tuple>
+#include <vector>
 
 namespace vernier {
 namespace {
 
-using Codes = LargeArray<CodedReference>;
+using Codes = std::vector<CodedReference>;
 
 Codes make_codes(std::uint32_t count, const std::function<std::uint64_t(std::mt19937_64&)>& code) {
   std::mt19937_64 random(7);
@@ -28,8 +29,9 @@ void expect_sorted(const Codes& codes) {
   std::ranges::sort(expected, {}, [](const CodedReference& one) { return std::tuple(one.code, one.reference); });
   for (const unsigned thread_count : {1u, 2u, 5u}) {
     Codes sorted = codes;
-    sort_by_code(sorted, thread_count);
-    EXPECT_TRUE(std::ranges::equal(sorted, expected, same)) << thread_count;
+    ThreadTeam team(thread_count);
+    Codes other(codes.size());
+    EXPECT_TRUE(std::ranges::equal(sort_by_code(sorted, other, team), expected, same)) << thread_count;
   }
 }
 
