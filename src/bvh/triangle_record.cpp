@@ -1,6 +1,5 @@
 #include "bvh/triangle_record.h"
 
-#include <bit>
 #include <string>
 
 #include "bvh/box.h"
@@ -9,16 +8,6 @@
 #include "shared/bvh_record.h"
 
 namespace vernier {
-
-BvhRecord triangle_record(const BvhTriangle& triangle, bool not_opaque) {
-  const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
-  return {bits(triangle.v0.x), bits(triangle.v0.y),
-          bits(triangle.v0.z), BVH_TRIANGLE | (not_opaque ? BVH_TRIANGLE_NOT_OPAQUE : 0u),
-          bits(triangle.v1.x), bits(triangle.v1.y),
-          bits(triangle.v1.z), 0u,
-          bits(triangle.v2.x), bits(triangle.v2.y),
-          bits(triangle.v2.z), triangle.id};
-}
 
 Bvh list_triangles(std::span<const BvhTriangle> triangles, const std::function<bool(std::uint32_t)>& not_opaque) {
   if (triangles.size() > BVH_MAX_RECORDS) {
