@@ -3,10 +3,10 @@
 //
 // words   node (bit 31 of word 3 clear)                      triangle (bit 31 of word 3 set)
 // 0-2     origin of the quantisation grid, float             v0, float
-// 3       exponent bytes ex | ey << 8 | ez << 16:            flags
+// 3       exponent bytes ex | ey << 8 | ez << 16:            flags; the bits below: number of vertex 0
 //         cell size 2^(e-127), that is float bits e << 23
-// 4-7     lo.x, hi.x, lo.y, hi.y, a byte per child           v1, float; word 7: place in the array of triangles where meshes
-//                                                            are shared, else 0
+// 4-7     lo.x, hi.x, lo.y, hi.y, a byte per child           v1, float; word 7: from vertex 0 to vertex 1, and above 16 bits
+//                                                            to vertex 2, signed; where vertices have no texels the material
 // 8-11    lo.z, hi.z, child base, child count                v2, float; word 11: global triangle id, below an instance the
 //                                                            number within the mesh
 //
@@ -19,11 +19,13 @@
 #define BVH_RECORD_WORDS 12
 #define BVH_RECORD_TEXELS 3
 #define BVH_TRIANGLE 0x80000000u
-// Of a node: it is an instance. Bit 27: nodes have bits 24 to 30 free, triangles have this one clear.
-#define BVH_INSTANCE 0x08000000u
+// Of a node: it is an instance. Bit 29: nodes have bits 24 to 30 free, triangles have this one clear.
+#define BVH_INSTANCE 0x20000000u
 #define BVH_INSTANCE_SHIFT 8u
 // The triangle may let light or rays pass (alpha mask, blend, transmission): any-hit rays may not stop at it.
 #define BVH_TRIANGLE_NOT_OPAQUE 0x40000000u
+// Of a triangle: the number of vertex 0.
+#define BVH_VERTEX_MASK 0x1fffffffu
 // A stack entry holds child base << 8 | count << 6 | three 2-bit slots.
 #define BVH_MAX_RECORDS (1u << 24)
 

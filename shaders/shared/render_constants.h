@@ -44,9 +44,9 @@ struct SteeringConstants {
   uint environment_texture;   // NONE: the gradient
   uint light_count;
   uint triangle_count;
-  uint vertex_texels;  // uvec4 per vertex
-  uint normal_texel;   // offset of (normal, 0) within a vertex, or NONE; the next four likewise
-  uint uv01_texel;     // (uv set 0, uv set 1)
+  uint vertex_texels;  // uvec4 per vertex: 0, or at least the first one, (normal or 0, material)
+  uint normal_texel;   // 0, or NONE: no vertex has a normal
+  uint uv01_texel;     // offset within a vertex of (uv set 0, uv set 1), or NONE; the next three likewise
   uint uv23_texel;     // (uv set 2, uv set 3)
   uint color_texel;
   uint tangent_texel;

@@ -20,7 +20,8 @@ struct SceneTrees {
 };
 
 /// Builds the tree over what `baked` has copied and, once for each, over the meshes that `plan` shares, which are added
-/// to the arrays of `baked`; its corners are used up. `space` is the traced space; the rest as in build_bvh.
+/// to the arrays of `baked`; its corners are used up. Triangle records name their place in baked.triangles by word 7
+/// where meshes are shared, else by word 11. `space` is the traced space; the rest as in build_bvh.
 SceneTrees build_trees(const Scene& scene, const InstancePlan& plan, const TracedSpace& space, BakedScene& baked,
                        unsigned thread_count, BuildMethod method, const std::function<void(double share)>& progress);
 

@@ -31,8 +31,7 @@ class GpuScene {
 
  private:
   SteeringConstants steering_{};
-  Buffer constants_, records_, triangles_, vertices_, materials_, lights_, textures_, texels_, first_triangles_,
-      instances_;
+  Buffer constants_, records_, instances_, vertices_, materials_, lights_, textures_, texels_, first_triangles_;
 };
 
 }  // namespace vernier
