@@ -12,7 +12,6 @@ layout(set = 0, binding = BINDING_DISPATCH, scalar) readonly buffer DispatchBloc
 
 #ifdef LOADS_TEXELS
 layout(set = 0, binding = BINDING_RECORDS, rgba32ui) uniform readonly uimageBuffer record_texels;
-layout(set = 0, binding = BINDING_TRIANGLES, rgba32ui) uniform readonly uimageBuffer triangle_texels;
 layout(set = 0, binding = BINDING_VERTICES, rgba32ui) uniform readonly uimageBuffer vertex_texels;
 layout(set = 0, binding = BINDING_MATERIALS, rgba32ui) uniform readonly uimageBuffer material_texels;
 layout(set = 0, binding = BINDING_LIGHTS, rgba32ui) uniform readonly uimageBuffer light_texels;
@@ -21,7 +20,6 @@ layout(set = 0, binding = BINDING_TEXELS, r32ui) uniform readonly uimageBuffer t
 layout(set = 0, binding = BINDING_FIRST_TRIANGLES, r32ui) uniform readonly uimageBuffer first_triangle_words;
 layout(set = 0, binding = BINDING_INSTANCES, rgba32ui) uniform readonly uimageBuffer instance_texels;
 uvec4 load_record(uint i) { return imageLoad(record_texels, int(i)); }
-uvec4 load_triangle(uint i) { return imageLoad(triangle_texels, int(i)); }
 uvec4 load_vertex(uint i) { return imageLoad(vertex_texels, int(i)); }
 uvec4 load_material(uint i) { return imageLoad(material_texels, int(i)); }
 uvec4 load_light(uint i) { return imageLoad(light_texels, int(i)); }
@@ -31,7 +29,6 @@ uint load_first_triangle(uint i) { return imageLoad(first_triangle_words, int(i)
 uvec4 load_instance(uint i) { return imageLoad(instance_texels, int(i)); }
 #else
 layout(set = 0, binding = BINDING_RECORDS, scalar) readonly buffer Records { uvec4 record_texels[]; };
-layout(set = 0, binding = BINDING_TRIANGLES, scalar) readonly buffer Triangles { uvec4 triangle_texels[]; };
 layout(set = 0, binding = BINDING_VERTICES, scalar) readonly buffer Vertices { uvec4 vertex_texels[]; };
 layout(set = 0, binding = BINDING_MATERIALS, scalar) readonly buffer Materials { uvec4 material_texels[]; };
 layout(set = 0, binding = BINDING_LIGHTS, scalar) readonly buffer Lights { uvec4 light_texels[]; };
@@ -40,7 +37,6 @@ layout(set = 0, binding = BINDING_TEXELS, scalar) readonly buffer Texels { uint 
 layout(set = 0, binding = BINDING_FIRST_TRIANGLES, scalar) readonly buffer FirstTriangles { uint first_triangle_words[]; };
 layout(set = 0, binding = BINDING_INSTANCES, scalar) readonly buffer Instances { uvec4 instance_texels[]; };
 uvec4 load_record(uint i) { return record_texels[i]; }
-uvec4 load_triangle(uint i) { return triangle_texels[i]; }
 uvec4 load_vertex(uint i) { return vertex_texels[i]; }
 uvec4 load_material(uint i) { return material_texels[i]; }
 uvec4 load_light(uint i) { return light_texels[i]; }

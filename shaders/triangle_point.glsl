@@ -6,6 +6,7 @@
 #include "exact_crossing.glsl"
 #include "instance.glsl"
 #include "intersect_triangle.glsl"
+#include "shared/bvh_record.h"
 
 // A triangle's corners, vertices and the weights of the hit.
 struct TrianglePoint {
@@ -93,19 +94,24 @@ void place_point(INOUT(TrianglePoint) point, IN(Ray) ray, IN(uint) instance) {
   point.e2 = e2;
 }
 
+// Vertices 0, 1, 2 and the material that words 3 and 7 of a triangle record say (shared/bvh_record.h).
+uvec4 fetch_vertices(IN(uint) word3, IN(uint) word7) {
+  uint texels = steering_constants().vertex_texels;
+  uint first = word3 & BVH_VERTEX_MASK;
+  uvec4 vertices = uvec4(first, first + uint(int(word7 << 16) >> 16), first + uint(int(word7) >> 16), word7);
+  if (texels > 0u) vertices.w = load_vertex(first * texels).w;
+  return vertices;
+}
+
 // The triangle of `hit`, which `ray` met.
 TrianglePoint triangle_point(IN(Ray) ray, IN(Hit) hit) {
   uvec4 a = load_record(3u * hit.record);
   uvec4 b = load_record(3u * hit.record + 1u);
   uvec4 c = load_record(3u * hit.record + 2u);
-  uint place = hit.triangle;
   Ray within = ray;
-  if (INSTANCED) {
-    place = b.w;
-    within = ray_in_instance(ray, hit.instance);
-  }
+  if (INSTANCED) within = ray_in_instance(ray, hit.instance);
   TrianglePoint point = point_on_triangle(within, hit, first_three(float_texel(a)), first_three(float_texel(b)),
-                                          first_three(float_texel(c)), load_triangle(place));
+                                          first_three(float_texel(c)), fetch_vertices(a.w, b.w));
   if (INSTANCED) place_point(point, ray, hit.instance);
   return point;
 }

@@ -31,10 +31,11 @@ SteeringConstants steering_constants() {
   return constants;
 }
 uvec4 load_record(uint i) {
-  if (FUNCTION != VERIFY_FRAME || i == 0u) return uvec4(0u);
-  return uvec4(floatBitsToUint(operand_vector(i == 1u ? 6u : 9u)), 0u);
+  const uint offsets = 1u | 2u << 16;
+  uvec3 corner = uvec3(0u);
+  if (FUNCTION == VERIFY_FRAME && i > 0u) corner = floatBitsToUint(operand_vector(i == 1u ? 6u : 9u));
+  return uvec4(corner, i == 1u ? offsets : 0u);
 }
-uvec4 load_triangle(uint i) { return uvec4(0u, 1u, 2u, 0u); }
 uvec4 load_vertex(uint i) {
   if (FUNCTION == VERIFY_NORMAL) return uvec4(floatBitsToUint(operand_vector(3u * i)), 0u);
   return uvec4(floatBitsToUint(operand(2u * i)), floatBitsToUint(operand(2u * i + 1u)), 0u, 0u);

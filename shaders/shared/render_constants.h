@@ -23,7 +23,7 @@ struct RenderConstants {
   uint image_width;    // pixels of the full image
   vec3 camera_right;   // perspective: a t X; orthographic: a h X in units
   uint image_height;
-  vec3 camera_up;      // perspective: t Y; orthographic: h Y in units
+  vec3 camera_up;  // perspective: t Y; orthographic: h Y in units
   uint seed;
   vec3 camera_forward;  // -Z
   float cutoff;
@@ -32,21 +32,21 @@ struct RenderConstants {
   vec3 ground;
   uint max_bounces;
   vec3 environment_scale;
-  vec3 world_center;  // metres: world = unit x metres_per_unit + world_center
+  vec3 world_center;          // metres: world = unit x metres_per_unit + world_center
   vec3 ambient_harmonics[9];  // environment_harmonics.h
 };
 
-// Values that a branch may depend on alone. They lie in a storage buffer: llvmpipe compiles a kernel anew for every value
-// of a uniform or push constant that decides a branch, 10 ms for each submission.
+// Values that a branch may depend on alone. They lie in a storage buffer: llvmpipe compiles a kernel anew for every
+// value of a uniform or push constant that decides a branch, 10 ms for each submission.
 struct SteeringConstants {
-  uint spp;  // of the whole image; 1: pixel centres
-  uint orthographic;          // 1: parallel rays
-  uint environment_texture;   // NONE: the gradient
+  uint spp;                  // of the whole image; 1: pixel centres
+  uint orthographic;         // 1: parallel rays
+  uint environment_texture;  // NONE: the gradient
   uint light_count;
   uint triangle_count;
-  uint vertex_texels;  // uvec4 per vertex
-  uint normal_texel;   // offset of (normal, 0) within a vertex, or NONE; the next four likewise
-  uint uv01_texel;     // (uv set 0, uv set 1)
+  uint vertex_texels;  // uvec4 per vertex: 0, or at least the first one, (normal or 0, material)
+  uint normal_texel;   // 0, or NONE: no vertex has a normal
+  uint uv01_texel;     // offset within a vertex of (uv set 0, uv set 1), or NONE; the next three likewise
   uint uv23_texel;     // (uv set 2, uv set 3)
   uint color_texel;
   uint tangent_texel;

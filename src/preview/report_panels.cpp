@@ -59,9 +59,9 @@ void draw_scene_section(const ViewSession& session, PanelState& state, PanelActi
   const Scene& scene = session.scene();
   const std::string& source = session.viewed().source;
   ImGui::TextWrapped("%s", source.empty() ? "the built-in scene" : source.c_str());
-  quiet_text(counted(session.packed().triangles.size() / 4, "triangle") + ", " +
-             counted(scene.instances.size(), "instance") + ", " + counted(scene.materials.size(), "material") + ", " +
-             counted(scene.textures.size(), "texture") + ", " + counted(scene.lights.size(), "light"));
+  quiet_text(counted(session.packed().triangle_count, "triangle") + ", " + counted(scene.instances.size(), "instance") +
+             ", " + counted(scene.materials.size(), "material") + ", " + counted(scene.textures.size(), "texture") +
+             ", " + counted(scene.lights.size(), "light"));
   quiet_text(byte_text(session.device_bytes()) + " on the device, " + byte_text(resident_bytes()) +
              " of memory; read in " + format_text("%.2f s", session.viewed().load_ms / 1000.0));
   for (std::size_t index = 0; index < scene.cameras.size(); ++index) {

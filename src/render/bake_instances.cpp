@@ -102,11 +102,16 @@ VertexLayout choose_vertex_layout(const Scene& scene) {
     colors |= !mesh.colors.empty();
     tangents |= !mesh.tangents.empty();
   }
-  VertexLayout layout{.texels = 0, .normal = NONE, .uv01 = NONE, .uv23 = NONE, .color = NONE, .tangent = NONE};
+  const bool any = normals || uv01 || uv23 || colors || tangents;
+  VertexLayout layout{.texels = any ? 1u : 0u,
+                      .normal = normals ? 0 : NONE,
+                      .uv01 = NONE,
+                      .uv23 = NONE,
+                      .color = NONE,
+                      .tangent = NONE};
   const auto place = [&](bool present, std::uint32_t& texel) {
     if (present) texel = layout.texels++;
   };
-  place(normals, layout.normal);
   place(uv01, layout.uv01);
   place(uv23, layout.uv23);
   place(colors, layout.color);

@@ -12,11 +12,12 @@ namespace vernier {
 
 /// Where the attributes of a vertex lie, in uvec4 texels from its start; NONE: not there (render_constants.h).
 struct VertexLayout {
-  std::uint32_t texels = 1;
+  std::uint32_t texels = 0;
   std::uint32_t normal, uv01, uv23, color, tangent;
 };
 
-/// A texel for each attribute that any mesh of `scene` has.
+/// A texel for each attribute that any mesh of `scene` has; where there is any the first is the normal's, with which
+/// the material goes.
 VertexLayout choose_vertex_layout(const Scene& scene);
 
 /// The instances that are copied as one list of triangles in the traced space, in the order of the global triangle

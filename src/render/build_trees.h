@@ -22,7 +22,8 @@ struct SceneTrees {
 
 /// Builds the tree over what `baked` has copied and, once for each, over the meshes that `plan` shares, which are added
 /// to the arrays of `baked`; its corners are used up. Without a method, and with no mesh shared, the triangles alone.
-/// `space` is the traced space; the rest as in build_bvh.
+/// Triangle records name their place in baked.triangles by word 7 where meshes are shared, else by word 11. `space` is
+/// the traced space; the rest as in build_bvh.
 SceneTrees build_trees(const Scene& scene, const InstancePlan& plan, const TracedSpace& space, BakedScene& baked,
                        unsigned thread_count, std::optional<BuildMethod> method,
                        const std::function<void(double share)>& progress);

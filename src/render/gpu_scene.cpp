@@ -55,7 +55,6 @@ GpuScene::GpuScene(const Device& device, const PackedScene& packed, SceneLoads l
   const BufferUse narrow = texels ? BufferUse::texels_r32ui : BufferUse::storage;
   constants_ = Buffer(device, sizeof(RenderConstants), BufferUse::uniform);
   records_ = uploaded(device, packed.bvh.records, wide);
-  triangles_ = uploaded(device, packed.triangles, wide);
   vertices_ = uploaded(device, packed.vertices, wide);
   materials_ = uploaded(device, packed.materials, wide);
   lights_ = uploaded(device, packed.lights, wide);
@@ -67,10 +66,9 @@ GpuScene::GpuScene(const Device& device, const PackedScene& packed, SceneLoads l
 
 std::vector<Binding> GpuScene::bindings() const {
   std::vector<Binding> bindings = {
-      {BINDING_RENDER, &constants_},   {BINDING_RECORDS, &records_},     {BINDING_TRIANGLES, &triangles_},
-      {BINDING_VERTICES, &vertices_},  {BINDING_MATERIALS, &materials_}, {BINDING_LIGHTS, &lights_},
-      {BINDING_TEXTURES, &textures_},  {BINDING_TEXELS, &texels_},       {BINDING_FIRST_TRIANGLES, &first_triangles_},
-      {BINDING_INSTANCES, &instances_}};
+      {BINDING_RENDER, &constants_},  {BINDING_RECORDS, &records_},     {BINDING_INSTANCES, &instances_},
+      {BINDING_VERTICES, &vertices_}, {BINDING_MATERIALS, &materials_}, {BINDING_LIGHTS, &lights_},
+      {BINDING_TEXTURES, &textures_}, {BINDING_TEXELS, &texels_},       {BINDING_FIRST_TRIANGLES, &first_triangles_}};
   if (tree_) bindings.push_back({.binding = BINDING_BOX_TREE, .tree = &*tree_});
   return bindings;
 }

@@ -45,8 +45,7 @@ class GpuScene {
   SteeringConstants steering_{};
   std::optional<BoxTree> tree_;
   float tree_reach_ = 0.0f;  // of the tree
-  Buffer constants_, records_, triangles_, vertices_, materials_, lights_, textures_, texels_, first_triangles_,
-      instances_;
+  Buffer constants_, records_, instances_, vertices_, materials_, lights_, textures_, texels_, first_triangles_;
 };
 
 }  // namespace vernier

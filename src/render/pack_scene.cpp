@@ -7,6 +7,7 @@
 #include "error.h"
 #include "render/bake_instances.h"
 #include "render/build_trees.h"
+#include "render/lay_out_vertices.h"
 #include "render/pack_materials.h"
 #include "scene/environment_harmonics.h"
 #include "scene/frame_scene.h"
@@ -80,15 +81,17 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count, std::optional<
   packed.bake_ms = milliseconds_since(bake_start);
   const auto build_start = std::chrono::steady_clock::now();
   SceneTrees trees = build_trees(scene, plan, packed.space, baked, thread_count, method, progress);
+  packed.bvh_build_ms = milliseconds_since(build_start);
+  const auto layout_start = std::chrono::steady_clock::now();
+  const VertexLayout layout = baked.layout;
+  packed.first_triangles = std::move(baked.first_triangles);
+  packed.vertices = lay_out_vertices(std::move(baked), trees, thread_count);
+  packed.bake_ms += milliseconds_since(layout_start);
   packed.bvh = std::move(trees.bvh);
   packed.instances = std::move(trees.instances);
   packed.triangle_count = plan.triangles;
   packed.traced_triangles = trees.traced_triangles;
   packed.hidden_triangles = trees.hidden_triangles;
-  packed.bvh_build_ms = milliseconds_since(build_start);
-  packed.triangles = std::move(baked.triangles);
-  packed.first_triangles = std::move(baked.first_triangles);
-  packed.vertices = std::move(baked.vertices);
   packed.materials = pack_materials(scene, packed.space.metres_per_unit);
   for (const Material& material : scene.materials)
     packed.workflows |= 1u << static_cast<std::uint32_t>(material.workflow);
@@ -103,12 +106,12 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count, std::optional<
   packed.steering.triangle_count = packed.bvh.triangle_count;
   packed.steering.object_count = static_cast<std::uint32_t>(packed.first_triangles.size());
   packed.steering.one = 1;
-  packed.steering.vertex_texels = baked.layout.texels;
-  packed.steering.normal_texel = baked.layout.normal;
-  packed.steering.uv01_texel = baked.layout.uv01;
-  packed.steering.uv23_texel = baked.layout.uv23;
-  packed.steering.color_texel = baked.layout.color;
-  packed.steering.tangent_texel = baked.layout.tangent;
+  packed.steering.vertex_texels = layout.texels;
+  packed.steering.normal_texel = layout.normal;
+  packed.steering.uv01_texel = layout.uv01;
+  packed.steering.uv23_texel = layout.uv23;
+  packed.steering.color_texel = layout.color;
+  packed.steering.tangent_texel = layout.tangent;
   set_environment(packed, scene);
   return packed;
 }

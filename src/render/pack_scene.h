@@ -19,10 +19,9 @@ namespace vernier {
 struct PackedScene {
   TracedSpace space;
   Bvh bvh;
-  std::vector<std::uint32_t> triangles;
   std::vector<std::uint32_t> first_triangles;
   std::vector<std::uint32_t> instances;
-  std::vector<std::uint32_t> vertices;
+  LargeArray<std::uint32_t> vertices;
   std::vector<std::uint32_t> materials;
   std::vector<std::uint32_t> lights;
   std::vector<std::uint32_t> textures;

@@ -10,7 +10,7 @@
 namespace vernier {
 namespace {
 
-/// Copies of triangles that are made before meshes are shared: some 100 MB.
+/// Copies of triangles that are made before meshes are shared: some 80 MB.
 constexpr std::uint64_t kMostCopies = std::uint64_t{1} << 20;
 /// Triangles that take the memory of an instance.
 constexpr std::uint64_t kInstanceTriangles = 2;

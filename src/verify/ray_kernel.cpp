@@ -29,15 +29,12 @@ constexpr std::size_t kChunk = 1u << 16;
 PackedScene packed_triangles(std::span<const BvhTriangle> triangles) {
   PackedScene packed;
   packed.bvh = build_bvh(triangles, {}, 0);
-  packed.triangles.assign(4 * triangles.size(), 0);
   packed.first_triangles.assign(1, 0);
   packed.steering.object_count = 1;
   packed.steering.one = 1;
-  packed.vertices.assign(4, 0);
   packed.materials.assign(4 * MATERIAL_TEXELS, 0);
   packed.steering.environment_texture = NONE;
   packed.steering.triangle_count = packed.bvh.triangle_count;
-  packed.steering.vertex_texels = 1;
   packed.steering.normal_texel = packed.steering.uv01_texel = packed.steering.uv23_texel = NONE;
   packed.steering.color_texel = packed.steering.tangent_texel = NONE;
   return packed;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <span>
 #include <vector>
 
 #include "render/pack_scene.h"
@@ -14,7 +15,7 @@ namespace vernier::shader {
 struct Memory {
   RenderConstants render{};
   DispatchConstants dispatch{};
-  std::vector<glm::uvec4> records, triangles, vertices, materials, lights, textures, paths, samples, instances;
+  std::vector<glm::uvec4> records, vertices, materials, lights, textures, paths, samples, instances;
   std::vector<std::uint32_t> texels, first_triangles, film, counters, aovs, pixels;
 };
 
@@ -34,7 +35,7 @@ class BoundMemory {
 };
 
 /// `words` four by four, as a texel buffer shows them.
-inline std::vector<glm::uvec4> texels_of(const std::vector<std::uint32_t>& words) {
+inline std::vector<glm::uvec4> texels_of(std::span<const std::uint32_t> words) {
   std::vector<glm::uvec4> texels(words.size() / 4);
   for (std::size_t i = 0; i < texels.size(); ++i) {
     texels[i] = {words[4 * i], words[4 * i + 1], words[4 * i + 2], words[4 * i + 3]};
@@ -54,7 +55,6 @@ inline Memory memory_of(const PackedScene& packed) {
   filled.render = packed.constants;
   filled.dispatch.steering = packed.steering;
   filled.records = record_texels(packed.bvh);
-  filled.triangles = texels_of(packed.triangles);
   filled.vertices = texels_of(packed.vertices);
   filled.materials = texels_of(packed.materials);
   filled.lights = texels_of(packed.lights);

@@ -92,9 +92,6 @@ bool scene_has_triangles() {
 uvec4 load_record(uint i) {
   return memory->records.at(i);
 }
-uvec4 load_triangle(uint i) {
-  return memory->triangles.at(i);
-}
 uvec4 load_vertex(uint i) {
   return memory->vertices.at(i);
 }

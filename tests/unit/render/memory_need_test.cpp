@@ -45,8 +45,8 @@ std::uint64_t bytes_of(const Elements& elements) {
 TEST(MemoryNeed, the_device_takes_no_more_and_little_less) {
   const Scene scene = grid_scene(50, 3);
   const PackedScene packed = pack_scene(scene, 1);
-  const std::uint64_t taken = bytes_of(packed.bvh.records) + bytes_of(packed.triangles) +
-                              bytes_of(packed.first_triangles) + bytes_of(packed.vertices);
+  const std::uint64_t taken =
+      bytes_of(packed.bvh.records) + bytes_of(packed.first_triangles) + bytes_of(packed.vertices);
   const MemoryNeed need = memory_need(scene);
   EXPECT_EQ(need.triangles, 15000u);
   EXPECT_GE(need.device_bytes, taken);
@@ -57,8 +57,8 @@ TEST(MemoryNeed, the_device_takes_no_more_and_little_less) {
 TEST(MemoryNeed, of_shared_meshes_that_of_one) {
   const Scene scene = grid_scene(50, 40);
   const PackedScene packed = pack_scene(scene, 1, BuildMethod::standard, {}, Sharing::always);
-  const std::uint64_t taken = bytes_of(packed.bvh.records) + bytes_of(packed.triangles) +
-                              bytes_of(packed.first_triangles) + bytes_of(packed.vertices) + bytes_of(packed.instances);
+  const std::uint64_t taken = bytes_of(packed.bvh.records) + bytes_of(packed.first_triangles) +
+                              bytes_of(packed.vertices) + bytes_of(packed.instances);
   const MemoryNeed need = memory_need(scene, Sharing::always);
   EXPECT_EQ(need.triangles, 200000u);
   EXPECT_EQ(need.stored_triangles, 5000u);

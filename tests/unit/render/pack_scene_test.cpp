@@ -16,7 +16,7 @@ TEST(PackScene, constants_say_what_is_there) {
   const Scene scene = test::tiny_scene();
   const PackedScene packed = pack_scene(scene, 1);
   EXPECT_EQ(packed.steering.light_count, 3u);
-  EXPECT_EQ(packed.steering.triangle_count, packed.triangles.size() / 4);
+  EXPECT_EQ(packed.steering.triangle_count, packed.triangle_count);
   EXPECT_EQ(packed.lights.size(), 3 * sizeof(DeviceLight) / 4);
   EXPECT_EQ(packed.materials.size(), scene.materials.size() * MATERIAL_TEXELS * 4);
   EXPECT_EQ(packed.constants.sky, scene.environment.sky);
@@ -31,7 +31,8 @@ TEST(PackScene, marks_triangles_that_let_light_pass) {
   std::size_t marked = 0;
   for (const BvhRecord& record : packed.bvh.records) {
     if (!is_triangle(record)) continue;
-    const std::uint32_t material = packed.triangles[4 * decode_triangle(record).id + 3];
+    const std::size_t vertex = record[3] & BVH_VERTEX_MASK;
+    const std::uint32_t material = packed.vertices[4 * vertex * packed.steering.vertex_texels + 3];
     const bool not_opaque = (record[3] & BVH_TRIANGLE_NOT_OPAQUE) != 0;
     EXPECT_EQ(not_opaque, material >= 2) << material;  // glass, cut-out, pane
     marked += not_opaque ? 1 : 0;
