@@ -74,8 +74,8 @@ glm::uvec3 vertices_of(const BvhRecord& record) {
   return {first, first + offset(0), first + offset(16)};
 }
 
-/// Expects of every triangle that its vertices have the positions of its corners as colours, and that they have its
-/// material. Of those below instances coordinates are those of `shared_space`; `copied` come first in the numbering.
+/// Expects of every triangle of the one mesh that its vertices have the positions of its corners, which are in `space`,
+/// as colours, and that they have its material.
 void expect_corners(const LaidOut& out, const TracedSpace& space, std::uint32_t materials) {
   std::size_t triangles = 0;
   for (const BvhRecord& record : out.trees.bvh.records) {
@@ -115,7 +115,7 @@ TEST(LayOutVertices, triangles_of_shared_meshes_too) {
 
 TEST(LayOutVertices, copies_beside_shared_meshes_keep_their_own) {
   Scene scene = grid_scene(3, 1);
-  // Sheared beyond what may be shared: numbered after the first one, in the order of its places.
+  // Sheared beyond what may be shared.
   scene.instances.push_back(scene.instances[0]);
   scene.instances.back().world_from_object[1].x = 64.0;
   const LaidOut out(scene, Sharing::always);
