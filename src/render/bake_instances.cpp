@@ -91,16 +91,35 @@ void append_numbers(std::uint32_t number, BakedScene& baked) {
   std::iota(baked.numbers.begin() + static_cast<std::ptrdiff_t>(first), baked.numbers.end(), number);
 }
 
+/// What the textures of materials are looked up by.
+struct TextureReads {
+  bool uv01 = false, uv23 = false, tangents = false;
+};
+
+TextureReads texture_reads(const Scene& scene) {
+  TextureReads reads;
+  for (const Material& material : scene.materials) {
+    for (const TextureUse& use : material.textures) {
+      reads.uv01 |= use.texture >= 0 && use.uv_set < 2;
+      reads.uv23 |= use.texture >= 0 && use.uv_set >= 2;
+    }
+    reads.tangents |= material.textures[TEXTURE_SLOT_NORMAL].texture >= 0;
+  }
+  return reads;
+}
+
 }  // namespace
 
-VertexLayout choose_vertex_layout(const Scene& scene) {
+VertexLayout choose_vertex_layout(const Scene& scene, UvSets uvs) {
+  const TextureReads reads = texture_reads(scene);
+  const bool every_set = uvs == UvSets::all;
   bool normals = false, uv01 = false, uv23 = false, colors = false, tangents = false;
   for (const Mesh& mesh : scene.meshes) {
     normals |= !mesh.normals.empty();
-    uv01 |= !mesh.uvs[0].empty() || !mesh.uvs[1].empty();
-    uv23 |= !mesh.uvs[2].empty() || !mesh.uvs[3].empty();
+    uv01 |= (every_set || reads.uv01) && (!mesh.uvs[0].empty() || !mesh.uvs[1].empty());
+    uv23 |= (every_set || reads.uv23) && (!mesh.uvs[2].empty() || !mesh.uvs[3].empty());
     colors |= !mesh.colors.empty();
-    tangents |= !mesh.tangents.empty();
+    tangents |= reads.tangents && !mesh.tangents.empty();
   }
   const bool any = normals || uv01 || uv23 || colors || tangents;
   VertexLayout layout{.texels = any ? 1u : 0u,
@@ -119,9 +138,9 @@ VertexLayout choose_vertex_layout(const Scene& scene) {
   return layout;
 }
 
-BakedScene bake_instances(const Scene& scene, const TracedSpace& space, const InstancePlan& plan) {
+BakedScene bake_instances(const Scene& scene, const TracedSpace& space, const InstancePlan& plan, UvSets uvs) {
   BakedScene baked;
-  baked.layout = choose_vertex_layout(scene);
+  baked.layout = choose_vertex_layout(scene, uvs);
   if (plan.triangles >= NONE || plan.stored_vertices >= NONE) {
     throw Error(ErrorKind::refused, scene.source + ": " + std::to_string(plan.triangles) + " triangles and " +
                                         std::to_string(plan.stored_vertices) + " vertices are beyond 4294967294");

@@ -16,9 +16,12 @@ struct VertexLayout {
   std::uint32_t normal, uv01, uv23, color, tangent;
 };
 
-/// A texel for each attribute that any mesh of `scene` has; where there is any the first is the normal's, with which
-/// the material goes.
-VertexLayout choose_vertex_layout(const Scene& scene);
+/// Which UV sets vertices get, beside those that textures are read by.
+enum class UvSets { of_textures, all };
+
+/// A texel for each attribute that any mesh of `scene` has and something reads: tangents where there are normal
+/// textures alone. The first, where there is any, is the normal's, with which the material goes.
+VertexLayout choose_vertex_layout(const Scene& scene, UvSets uvs);
 
 /// The instances that are copied as one list of triangles in the traced space, in the order of the global triangle
 /// numbers, and the arrays to which bake_shared_mesh adds the other meshes.
@@ -35,7 +38,7 @@ struct BakedScene {
 /// corners 1 and 2 change places where the transform mirrors. Attributes that no mesh has take no memory.
 /// Instances that `plan` (of the same scene) shares are left out. Throws Error(refused) beyond 2^32 - 1 vertices or
 /// triangles.
-BakedScene bake_instances(const Scene& scene, const TracedSpace& space, const InstancePlan& plan);
+BakedScene bake_instances(const Scene& scene, const TracedSpace& space, const InstancePlan& plan, UvSets uvs);
 
 /// Adds mesh `mesh` in its own `space` to `baked` as if it were placed by the identity; its corners, ids counted from
 /// 0.

@@ -93,7 +93,7 @@ MemoryNeed memory_need(const Scene& scene, Sharing sharing) {
   need.stored_triangles = plan.stored_triangles;
   std::uint64_t shared_triangles = 0;
   for (const std::uint32_t mesh : plan.meshes) shared_triangles += scene.meshes[mesh].triangles.size();
-  const std::uint64_t vertex_bytes = choose_vertex_layout(scene).texels * kTexelBytes;
+  const std::uint64_t vertex_bytes = choose_vertex_layout(scene, UvSets::all).texels * kTexelBytes;
   const std::uint64_t laid_out = most_vertices(plan);
   const std::uint64_t but_vertices = most_record_bytes(plan.stored_triangles + plan.shared_instances) +
                                      plan.shared_instances * sizeof(DeviceInstance) +

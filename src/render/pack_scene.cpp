@@ -1,5 +1,6 @@
 #include "render/pack_scene.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstring>
@@ -72,12 +73,12 @@ std::vector<std::uint32_t> pack_lights(const std::vector<Light>& lights, const T
 }
 
 PackedScene pack_scene(const Scene& scene, unsigned thread_count, std::optional<BuildMethod> method,
-                       const std::function<void(double)>& progress, Sharing sharing) {
+                       const std::function<void(double)>& progress, Sharing sharing, UvSets uvs) {
   PackedScene packed;
   const auto bake_start = std::chrono::steady_clock::now();
   packed.space = choose_traced_space(world_bounds(scene));
   const InstancePlan plan = plan_instances(scene, method ? sharing : Sharing::never);
-  BakedScene baked = bake_instances(scene, packed.space, plan);
+  BakedScene baked = bake_instances(scene, packed.space, plan, uvs);
   packed.bake_ms = milliseconds_since(bake_start);
   const auto build_start = std::chrono::steady_clock::now();
   SceneTrees trees = build_trees(scene, plan, packed.space, baked, thread_count, method, progress);
@@ -119,7 +120,9 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count, std::optional<
 PackedScene pack_scene(const Scene& scene, const RenderSettings& settings,
                        const std::function<void(double)>& progress) {
   const bool driver_builds = settings.traversal == TraversalForm::ray_query;
-  return pack_scene(scene, 0, driver_builds ? std::nullopt : std::optional(settings.bvh), progress, settings.sharing);
+  const bool shows_uv = std::ranges::find(settings.aovs, "uv") != settings.aovs.end();
+  return pack_scene(scene, 0, driver_builds ? std::nullopt : std::optional(settings.bvh), progress, settings.sharing,
+                    shows_uv ? UvSets::all : UvSets::of_textures);
 }
 
 void set_camera(PackedScene& packed, const Camera& camera, const RenderSettings& settings) {

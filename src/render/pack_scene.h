@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "bvh/bvh.h"
+#include "render/bake_instances.h"
 #include "render/plan_instances.h"
 #include "render/render_settings.h"
 #include "render/traced_space.h"
@@ -38,10 +39,12 @@ struct PackedScene {
 
 /// Packs `scene`, which has passed validate_scene, building the BVH by `method` on `thread_count` threads (0: all
 /// cores); without a method its triangles are listed for the driver's tree (list_triangles). `sharing` decides which
-/// meshes are traced in a space of their own: none without a method.
+/// meshes are traced in a space of their own: none without a method. Without UvSets::all the AOV `uv` is 0 where no
+/// texture asks for it.
 PackedScene pack_scene(const Scene& scene, unsigned thread_count,
                        std::optional<BuildMethod> method = BuildMethod::standard,
-                       const std::function<void(double share)>& progress = {}, Sharing sharing = Sharing::automatic);
+                       const std::function<void(double share)>& progress = {}, Sharing sharing = Sharing::automatic,
+                       UvSets uvs = UvSets::all);
 
 /// The same on all cores as `settings` have it: with TraversalForm::ray_query triangles alone, every instance's.
 PackedScene pack_scene(const Scene& scene, const RenderSettings& settings,

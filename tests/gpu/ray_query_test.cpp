@@ -67,6 +67,14 @@ struct CaseAtLevel {
   Accuracy level;
 };
 
+std::string name_of(const CaseAtLevel& one) {
+  return std::string(one.name) + (one.level == Accuracy::robust ? "_robust" : "_exact");
+}
+
+void PrintTo(const CaseAtLevel& one, std::ostream* out) {
+  *out << name_of(one);
+}
+
 /// Rays aimed at what boxes or triangles may lose, more than numerics_test takes.
 class RayQueryCaseTest : public DeviceTest, public testing::WithParamInterface<CaseAtLevel> {};
 
@@ -99,9 +107,8 @@ std::vector<CaseAtLevel> ray_cases() {
   return cases;
 }
 
-INSTANTIATE_TEST_SUITE_P(Catalogue, RayQueryCaseTest, testing::ValuesIn(ray_cases()), [](const auto& one) {
-  return std::string(one.param.name) + (one.param.level == Accuracy::robust ? "_robust" : "_exact");
-});
+INSTANTIATE_TEST_SUITE_P(Catalogue, RayQueryCaseTest, testing::ValuesIn(ray_cases()),
+                         [](const auto& one) { return name_of(one.param); });
 
 }  // namespace
 }  // namespace vernier

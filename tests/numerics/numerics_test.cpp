@@ -16,6 +16,10 @@ std::string name_of(const CaseAtLevel& one) {
   return std::string(one.verify_case->name) + (one.level == Accuracy::robust ? "_robust" : "_exact");
 }
 
+void PrintTo(const CaseAtLevel& one, std::ostream* out) {
+  *out << name_of(one);
+}
+
 /// All but the case that compares two devices: here the loader shows one, tests/golden/across_devices_test has both.
 std::vector<CaseAtLevel> all_cases() {
   std::vector<CaseAtLevel> all;

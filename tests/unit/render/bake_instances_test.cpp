@@ -11,8 +11,8 @@ namespace vernier {
 namespace {
 
 /// Every instance copied.
-BakedScene copied(const Scene& scene, const TracedSpace& space) {
-  return bake_instances(scene, space, plan_instances(scene, Sharing::never));
+BakedScene copied(const Scene& scene, const TracedSpace& space, UvSets uvs = UvSets::all) {
+  return bake_instances(scene, space, plan_instances(scene, Sharing::never), uvs);
 }
 
 glm::vec4 attribute(const BakedScene& baked, std::uint32_t vertex, std::uint32_t texel) {
@@ -33,6 +33,7 @@ Scene triangle_scene(const glm::dmat4& world_from_object) {
   mesh.colors = {{1, 0, 0, 1}, {0, 1, 0, 1}, {0, 0, 1, 0.5f}};
   mesh.uvs[0] = {{0, 0}, {1, 0}, {0, 1}};
   mesh.uvs[3] = {{5, 6}, {7, 8}, {9, 10}};
+  scene.materials[0].textures[TEXTURE_SLOT_NORMAL].texture = 0;  // reads tangents and UV set 0
   scene.instances[0].world_from_object = world_from_object;
   return scene;
 }
@@ -62,6 +63,21 @@ TEST(BakeInstances, what_no_mesh_has_takes_no_room) {
   for (std::uint32_t texel : {layout.normal, layout.uv01, layout.uv23, layout.tangent}) EXPECT_EQ(texel, NONE);
   mesh.colors.clear();
   EXPECT_TRUE(copied(scene, {}).vertices.empty());
+}
+
+TEST(BakeInstances, what_nothing_reads_takes_no_room) {
+  Scene scene = triangle_scene(glm::dmat4(1));
+  EXPECT_EQ(copied(scene, {}, UvSets::of_textures).layout.uv23, NONE);
+  TextureUse& use = scene.materials[0].textures[TEXTURE_SLOT_NORMAL];
+  use.uv_set = 3;
+  const VertexLayout of_set_3 = copied(scene, {}, UvSets::of_textures).layout;
+  EXPECT_EQ(of_set_3.uv01, NONE);
+  EXPECT_EQ(of_set_3.uv23, 1u);
+  use.texture = -1;
+  const VertexLayout untextured = copied(scene, {}, UvSets::of_textures).layout;
+  EXPECT_EQ(untextured.texels, 2u) << "normal and colour";
+  EXPECT_EQ(untextured.tangent, NONE);
+  EXPECT_EQ(copied(scene, {}).layout.texels, 4u) << "but for tangents";
 }
 
 TEST(BakeInstances, normals_go_by_the_inverse_transpose) {

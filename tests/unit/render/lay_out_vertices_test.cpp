@@ -46,7 +46,7 @@ struct LaidOut {
 
   explicit LaidOut(const Scene& scene, Sharing sharing = Sharing::never, unsigned threads = 2)
       : plan(plan_instances(scene, sharing)) {
-    BakedScene baked = bake_instances(scene, {}, plan);
+    BakedScene baked = bake_instances(scene, {}, plan, UvSets::all);
     layout = baked.layout;
     trees = build_trees(scene, plan, {}, baked, 1, BuildMethod::standard, {});
     vertices = lay_out_vertices(std::move(baked), trees, threads);
