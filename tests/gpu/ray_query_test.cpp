@@ -1,6 +1,7 @@
 // The driver's own tree in place of ours: the same bits, and rays that find nothing less.
 #include "device_test.h"
 #include "error.h"
+#include "numerics/case_at_level.h"
 #include "render/render_image.h"
 #include "shader/tiny_scene.h"
 #include "verify/verify_report.h"
@@ -62,30 +63,13 @@ TEST_F(RayQueryTest, instances_and_coincident_triangles_are_found_alike) {
   expect_same(scene, test::camera_at(3.5), test::small_image(32, 32, 2));
 }
 
-struct CaseAtLevel {
-  const char* name;
-  Accuracy level;
-};
-
-std::string name_of(const CaseAtLevel& one) {
-  return std::string(one.name) + (one.level == Accuracy::robust ? "_robust" : "_exact");
-}
-
-void PrintTo(const CaseAtLevel& one, std::ostream* out) {
-  *out << name_of(one);
-}
-
 /// Rays aimed at what boxes or triangles may lose, more than numerics_test takes.
 class RayQueryCaseTest : public DeviceTest, public testing::WithParamInterface<CaseAtLevel> {};
 
 TEST_P(RayQueryCaseTest, meets_its_target) {
-  CaseSetup setup;
-  setup.device = &device();
-  setup.level = GetParam().level;
-  setup.levels = setup.level == Accuracy::robust ? LEVELS_OF(LEVEL_ROBUST) : LEVELS_OF(LEVEL_EXACT);
-  setup.sample_count = 1u << 15;
+  CaseSetup setup = setup_of(GetParam(), device(), 1u << 15);
   setup.traversal = TraversalForm::ray_query;
-  const CaseReport report = run_case(*find_case(GetParam().name), setup);
+  const CaseReport report = run_case(*GetParam().verify_case, setup);
   EXPECT_EQ(report.result.not_run, "");
   EXPECT_TRUE(report.held) << report.verify_case->property << ": " << report.result.failures << " of "
                            << report.result.samples << ", first " << report.result.first_failure << "\n"
@@ -100,10 +84,10 @@ std::vector<CaseAtLevel> ray_cases() {
         "tiny_components",   "flat_boxes",    "box_corner",          "origin_on_surface", "t_limits",
         "invalid_rays",      "garbage_mesh",  "identical_centroids", "deep_tree",         "coplanar_duplicates",
         "instance_transform"}) {
-    cases.push_back({name, Accuracy::robust});
+    cases.push_back({find_case(name), Accuracy::robust});
   }
   for (const char* name : {"shared_edge", "shared_vertex", "single_hit", "deep_tree"})
-    cases.push_back({name, Accuracy::exact});
+    cases.push_back({find_case(name), Accuracy::exact});
   return cases;
 }
 

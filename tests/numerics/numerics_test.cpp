@@ -1,24 +1,12 @@
 // The numeric suite on two drivers: every case at the levels that promise something, and every seeded fault.
 #include "gpu/device_test.h"
+#include "numerics/case_at_level.h"
 #include "numerics/known_failures.h"
 #include "verify/image_cases.h"
 #include "verify/mutations.h"
 
 namespace vernier {
 namespace {
-
-struct CaseAtLevel {
-  const VerifyCase* verify_case;
-  Accuracy level;
-};
-
-std::string name_of(const CaseAtLevel& one) {
-  return std::string(one.verify_case->name) + (one.level == Accuracy::robust ? "_robust" : "_exact");
-}
-
-void PrintTo(const CaseAtLevel& one, std::ostream* out) {
-  *out << name_of(one);
-}
 
 /// All but the case that compares two devices: here the loader shows one, tests/golden/across_devices_test has both.
 std::vector<CaseAtLevel> all_cases() {
@@ -40,12 +28,8 @@ bool is_picture(const VerifyCase& one) {
 class NumericsTest : public DeviceTest, public testing::WithParamInterface<CaseAtLevel> {};
 
 TEST_P(NumericsTest, meets_its_target) {
-  CaseSetup setup;
-  setup.device = &device();
-  setup.level = GetParam().level;
-  setup.levels = setup.level == Accuracy::robust ? LEVELS_OF(LEVEL_ROBUST) : LEVELS_OF(LEVEL_EXACT);
   // Eight turns of 1024 rays: every target of a case has at least one. `vernier verify --rays` takes more.
-  setup.sample_count = 1u << 13;
+  CaseSetup setup = setup_of(GetParam(), device(), 1u << 13);
   // SwiftShader takes seconds to compile what each picture is made by: one of a kind stands for all there.
   if (is_picture(*GetParam().verify_case) && !device().description().is_llvmpipe && VERNIER_ALL_CASES == 0)
     setup.sample_count = 1;
