@@ -57,29 +57,50 @@ void write_binding(const Device& device, vk::DescriptorSet set, const Binding& b
   device.vk().updateDescriptorSets(write, nullptr);
 }
 
+PipelineStore::Key key_of(std::span<const std::uint32_t> spirv, std::span<const Binding> bindings,
+                          std::uint32_t push_constant_bytes, std::span<const SpecializationValue> specialization) {
+  PipelineStore::Key key = {reinterpret_cast<std::uintptr_t>(spirv.data()), spirv.size(), push_constant_bytes,
+                            bindings.size()};
+  for (const Binding& binding : bindings) {
+    key.insert(key.end(), {binding.binding, static_cast<std::uint64_t>(descriptor_type(binding))});
+  }
+  for (const SpecializationValue& constant : specialization) {
+    key.insert(key.end(), {constant.constant_id, constant.value});
+  }
+  return key;
+}
+
+CompiledPipeline compile(const Device& device, std::span<const std::uint32_t> spirv, std::span<const Binding> bindings,
+                         std::uint32_t push_constant_bytes, std::span<const SpecializationValue> specialization) {
+  CompiledPipeline compiled;
+  compiled.set_layout = create_set_layout(device, bindings);
+  compiled.layout = create_layout(device, *compiled.set_layout, push_constant_bytes);
+  const vk::raii::ShaderModule module =
+      device.vk().createShaderModule(vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
+  std::vector<vk::SpecializationMapEntry> entries;
+  std::vector<std::uint32_t> values;
+  for (const SpecializationValue& constant : specialization) {
+    entries.emplace_back(constant.constant_id, static_cast<std::uint32_t>(values.size() * sizeof(std::uint32_t)),
+                         sizeof(std::uint32_t));
+    values.push_back(constant.value);
+  }
+  const vk::SpecializationInfo special(static_cast<std::uint32_t>(entries.size()), entries.data(),
+                                       values.size() * sizeof(std::uint32_t), values.data());
+  const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main", &special);
+  compiled.pipeline = device.vk().createComputePipeline(device.pipeline_cache(),
+                                                        vk::ComputePipelineCreateInfo({}, stage, *compiled.layout));
+  return compiled;
+}
+
 }  // namespace
 
 ComputePipeline::ComputePipeline(const Device& device, std::span<const std::uint32_t> spirv,
                                  std::span<const Binding> bindings, std::uint32_t push_constant_bytes,
                                  std::span<const SpecializationValue> specialization) {
   const auto start = std::chrono::steady_clock::now();
-  vk_check("compiling a shader", [&] {
-    set_layout_ = create_set_layout(device, bindings);
-    layout_ = create_layout(device, *set_layout_, push_constant_bytes);
-    const vk::raii::ShaderModule module =
-        device.vk().createShaderModule(vk::ShaderModuleCreateInfo({}, spirv.size_bytes(), spirv.data()));
-    std::vector<vk::SpecializationMapEntry> entries;
-    std::vector<std::uint32_t> values;
-    for (const SpecializationValue& constant : specialization) {
-      entries.emplace_back(constant.constant_id, static_cast<std::uint32_t>(values.size() * sizeof(std::uint32_t)),
-                           sizeof(std::uint32_t));
-      values.push_back(constant.value);
-    }
-    const vk::SpecializationInfo special(static_cast<std::uint32_t>(entries.size()), entries.data(),
-                                         values.size() * sizeof(std::uint32_t), values.data());
-    const vk::PipelineShaderStageCreateInfo stage({}, vk::ShaderStageFlagBits::eCompute, *module, "main", &special);
-    pipeline_ =
-        device.vk().createComputePipeline(device.pipeline_cache(), vk::ComputePipelineCreateInfo({}, stage, *layout_));
+  compiled_ = device.pipelines().find_or_make(key_of(spirv, bindings, push_constant_bytes, specialization), [&] {
+    return vk_check("compiling a shader",
+                    [&] { return compile(device, spirv, bindings, push_constant_bytes, specialization); });
   });
   compile_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -26,24 +27,26 @@ struct SpecializationValue {
   std::uint32_t value = 0;
 };
 
-/// A compute pipeline with its layout: set 0 and one push-constant block. Owns them; movable.
+/// A compute pipeline with its layout: set 0 and one push-constant block. Shares them with the device's store; movable.
 class ComputePipeline {
  public:
   ComputePipeline() = default;
-  /// Compiles `spirv` (entry point main). `bindings` give set 0's numbers and types (the buffers bound later must have
-  /// the same uses). Time spent is in compile_ms().
+  /// Compiles `spirv` (entry point main; told apart by its address, so it stays where it is while the device is open),
+  /// or takes what `device` compiled for the same before. `bindings` give set 0's numbers and types (the buffers bound
+  /// later must have the same uses). Time spent is in compile_ms().
   ComputePipeline(const Device& device, std::span<const std::uint32_t> spirv, std::span<const Binding> bindings,
                   std::uint32_t push_constant_bytes, std::span<const SpecializationValue> specialization);
 
   double compile_ms() const { return compile_ms_; }
-  const vk::raii::Pipeline& vk() const { return pipeline_; }
-  const vk::raii::PipelineLayout& layout() const { return layout_; }
-  const vk::raii::DescriptorSetLayout& set_layout() const { return set_layout_; }
+  /// The pipeline.
+  const vk::raii::Pipeline& vk() const { return compiled_->pipeline; }
+  /// Its layout.
+  const vk::raii::PipelineLayout& layout() const { return compiled_->layout; }
+  /// That of set 0.
+  const vk::raii::DescriptorSetLayout& set_layout() const { return compiled_->set_layout; }
 
  private:
-  vk::raii::DescriptorSetLayout set_layout_{nullptr};
-  vk::raii::PipelineLayout layout_{nullptr};
-  vk::raii::Pipeline pipeline_{nullptr};
+  std::shared_ptr<const CompiledPipeline> compiled_;
   double compile_ms_ = 0.0;
 };
 

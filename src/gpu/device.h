@@ -2,12 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
 #include "gpu/instance.h"
+#include "gpu/pipeline_store.h"
 
 namespace vernier {
 
@@ -64,6 +66,8 @@ class Device {
   std::uint32_t queue_family() const { return queue_family_; }
   /// Where pipelines are looked up before they are compiled, and put.
   const vk::raii::PipelineCache& pipeline_cache() const { return pipeline_cache_; }
+  /// Those that this device compiled.
+  PipelineStore& pipelines() const { return *pipelines_; }
   /// All pipelines compiled so far, those the device was opened with among them, as the driver writes them.
   std::vector<std::byte> compiled_pipelines() const;
 
@@ -74,6 +78,7 @@ class Device {
   std::uint32_t queue_family_ = 0;
   vk::raii::Queue queue_{nullptr};
   vk::raii::PipelineCache pipeline_cache_{nullptr};
+  std::unique_ptr<PipelineStore> pipelines_ = std::make_unique<PipelineStore>();  // gone before the device is
 };
 
 /// Runs `call` and turns a Vulkan failure into an Error that says `what` was being done: device loss becomes

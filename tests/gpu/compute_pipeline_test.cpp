@@ -71,6 +71,38 @@ TEST_F(ComputePipelineTest, texel_and_uniform_buffers_are_read) {
   EXPECT_EQ(download(words), (Words{2, 4, 6, 8, 22, 24, 26, 28, 10, 12, 14, 0xfffffffe, 30, 32, 34, 36}));
 }
 
+TEST_F(ComputePipelineTest, what_was_compiled_before_is_taken_again) {
+  const Buffer words = filled({1, 2, 3, 4}, BufferUse::storage);
+  const std::array<Binding, 2> bindings{Binding{0, &words}, Binding{4, &words}};
+  const auto made = [&](std::uint32_t value, std::uint32_t push_constant_bytes) {
+    const std::array<SpecializationValue, 1> constants{SpecializationValue{0, value}};
+    return ComputePipeline(device(), kCopyWordsSpirv, bindings, push_constant_bytes, constants);
+  };
+  const ComputePipeline first = made(3, 8);
+  EXPECT_EQ(*made(3, 8).vk(), *first.vk());
+  EXPECT_NE(*made(4, 8).vk(), *first.vk());
+  EXPECT_NE(*made(3, 16).vk(), *first.vk());
+}
+
+TEST_F(ComputePipelineTest, the_store_lets_go_of_what_was_asked_for_least_lately) {
+  PipelineStore store;
+  std::uint64_t compiled = 0;
+  const auto ask = [&](std::uint64_t key) {
+    store.find_or_make({key}, [&] {
+      ++compiled;
+      return CompiledPipeline{};
+    });
+  };
+  for (std::uint64_t key = 0; key < PipelineStore::kMostPipelines; ++key) ask(key);
+  ask(0);
+  EXPECT_EQ(compiled, PipelineStore::kMostPipelines) << "all are there";
+  ask(PipelineStore::kMostPipelines);
+  ask(0);
+  EXPECT_EQ(compiled, PipelineStore::kMostPipelines + 1) << "1 went";
+  ask(1);
+  EXPECT_EQ(compiled, PipelineStore::kMostPipelines + 2);
+}
+
 TEST_F(ComputePipelineTest, pipelines_and_sets_can_be_replaced) {
   const Buffer from = filled({1, 2, 3, 4}, BufferUse::storage);
   const Buffer to(device(), 16, BufferUse::storage);

@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "gpu/device.h"
 
@@ -17,29 +18,61 @@ inline std::string expected_device_name() {
   return std::string(driver) == "swiftshader" ? "SwiftShader" : "llvmpipe";
 }
 
-/// Opens the driver the test runs on with validation; no message of the validation layer is allowed, not even while the
-/// device is destroyed.
-class DeviceTest : public testing::Test {
- protected:
-  void SetUp() override {
-    instance_ = std::make_unique<VulkanInstance>(true);
-    description_ = choose_device(list_devices(*instance_), expected_device_name());
-    device_ = std::make_unique<Device>(*instance_, description_);
+/// The driver the tests run on, opened once for all cases of a process, with validation: SwiftShader takes seconds for
+/// what the device's store of pipelines has for the next case.
+class TestedDevice : public testing::Environment {
+ public:
+  /// The one of this process, opened when first asked for.
+  static TestedDevice& get() {
+    static TestedDevice* const tested = [] {
+      auto owned = std::make_unique<TestedDevice>();
+      TestedDevice* const made = owned.get();
+      testing::AddGlobalTestEnvironment(owned.release());  // GoogleTest deletes it
+      return made;
+    }();
+    return *tested;
   }
 
-  void TearDown() override {
+  const VulkanInstance& instance() {
+    if (instance_ == nullptr) instance_ = std::make_unique<VulkanInstance>(true);
+    return *instance_;
+  }
+
+  const Device& device() {
+    if (device_ == nullptr) {
+      device_ = std::make_unique<Device>(instance(), choose_device(list_devices(instance()), expected_device_name()));
+    }
+    return *device_;
+  }
+
+  /// Fails the case for what the validation layer has said since the last one.
+  void expect_no_messages() {
     if (instance_ == nullptr) return;
-    device_.reset();
-    for (const std::string& message : instance_->validation_messages()) ADD_FAILURE() << message;
+    const std::vector<std::string> messages = instance_->validation_messages();
+    for (; told_ < messages.size(); ++told_) ADD_FAILURE() << messages[told_];
   }
 
-  const VulkanInstance& instance() const { return *instance_; }
-  const Device& device() const { return *device_; }
+  /// No message is allowed while the device is destroyed either.
+  void TearDown() override {
+    device_.reset();
+    expect_no_messages();
+    instance_.reset();
+  }
 
  private:
   std::unique_ptr<VulkanInstance> instance_;
-  DeviceDescription description_;
   std::unique_ptr<Device> device_;
+  std::size_t told_ = 0;
+};
+
+/// A case on the driver the tests run on. No message of the validation layer is allowed.
+class DeviceTest : public testing::Test {
+ protected:
+  void SetUp() override { TestedDevice::get().device(); }
+  void TearDown() override { TestedDevice::get().expect_no_messages(); }
+
+  const VulkanInstance& instance() const { return TestedDevice::get().instance(); }
+  const Device& device() const { return TestedDevice::get().device(); }
 };
 
 }  // namespace vernier
