@@ -17,8 +17,13 @@ void put(nlohmann::ordered_json& options, const char* name, const std::string& t
   }
 }
 
-nlohmann::ordered_json sha1_by_path(std::span<const std::string> files) {
+/// `of_all` is that of all files, one after the other: of one file too, which is not hashed again.
+nlohmann::ordered_json sha1_by_path(std::span<const std::string> files, const std::string& of_all) {
   nlohmann::ordered_json digests;
+  if (files.size() == 1) {
+    digests[files[0]] = of_all;
+    return digests;
+  }
   for (const std::string& file : files) digests[file] = sha1_of_files(std::span(&file, 1));
   return digests;
 }
@@ -41,8 +46,9 @@ std::map<std::string, std::string> scene_recipe(const SceneArguments& scene, std
   metadata["vernier:scene"] = scene.scene;
   metadata["vernier:options"] = recipe_options(scene, render).dump();
   if (!files.empty()) {
-    metadata["vernier:scene_sha1"] = sha1_of_files(files);
-    metadata["vernier:files"] = sha1_by_path(files).dump();
+    const std::string of_all = sha1_of_files(files);
+    metadata["vernier:scene_sha1"] = of_all;
+    metadata["vernier:files"] = sha1_by_path(files, of_all).dump();
   }
   return metadata;
 }
