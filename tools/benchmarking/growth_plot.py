@@ -18,7 +18,9 @@ def short(value: float, _place=None) -> str:
 def draw(axes_rows: dict):
     """`axes_rows`: by name, rows with value, ns_per_ray and times_first."""
     drawing.set_style()
-    figure, plots = pyplot.subplots(1, len(axes_rows), figsize=(2.2 * len(axes_rows), 2.9), layout="constrained", sharey=True)
+    figure, plots = pyplot.subplots(1, len(axes_rows), figsize=(2.2 * len(axes_rows), 2.9), layout="constrained", sharey=True,
+                                   squeeze=False)
+    plots = plots[0]
     for plot, (name, rows) in zip(plots, axes_rows.items()):
         draw_axis(plot, name, rows)
     plots[0].set_ylabel("ns per ray")

@@ -1,4 +1,4 @@
-"""The scenes of tools/growth: as large as they say, and whole."""
+"""The scenes of tools/growth: as large as they say, and whole. And its plot."""
 
 import json
 import pathlib
@@ -8,7 +8,7 @@ import unittest
 
 import numpy
 import tool_path  # noqa: F401
-from benchmarking import growth_scene
+from benchmarking import growth_plot, growth_scene
 
 
 def read_glb(path: pathlib.Path) -> tuple:
@@ -81,6 +81,14 @@ class GrowthSceneTest(unittest.TestCase):
         self.assertLess(abs(document["accessors"][parts[0]["indices"]]["count"] // 3 - 1000), 130)
         places = numpy.concatenate([rows_of(document, binary, one["TRANSLATION"]) for one in attributes])
         self.assertEqual(len(numpy.unique(places, axis=0)), 10)
+
+
+class GrowthPlotTest(unittest.TestCase):
+    def test_one_axis_alone_is_drawn_as_several_are(self):
+        spread = {"median": 1.0, "least": 1.0, "most": 1.0}
+        rows = [{"value": value, "ns_per_ray": 100.0, "times_first": spread} for value in (1, 2)]
+        for axes in ({"lights": rows}, {"lights": rows, "bounces": rows}):
+            self.assertEqual(len(growth_plot.draw(axes).axes), len(axes))
 
 
 if __name__ == "__main__":
