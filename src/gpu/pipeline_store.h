@@ -29,7 +29,7 @@ class PipelineStore {
   /// kMostPipelines. Any thread may call.
   std::shared_ptr<const CompiledPipeline> find_or_make(const Key& key, const std::function<CompiledPipeline()>& make);
 
-  /// What llvmpipe has of a large kernel takes about a megabyte.
+  /// More than a window's switches or a sweep come back to; each holds the machine code of a kernel.
   static constexpr std::size_t kMostPipelines = 64;
 
  private:

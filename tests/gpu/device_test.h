@@ -18,21 +18,10 @@ inline std::string expected_device_name() {
   return std::string(driver) == "swiftshader" ? "SwiftShader" : "llvmpipe";
 }
 
-/// The driver the tests run on, opened once for all cases of a process, with validation: SwiftShader takes seconds for
-/// what the device's store of pipelines has for the next case.
+/// The driver the tests run on, opened when first asked for and once for all cases of a process, with validation:
+/// SwiftShader takes seconds for what the device's store of pipelines has for the next case.
 class TestedDevice : public testing::Environment {
  public:
-  /// The one of this process, opened when first asked for.
-  static TestedDevice& get() {
-    static TestedDevice* const tested = [] {
-      auto owned = std::make_unique<TestedDevice>();
-      TestedDevice* const made = owned.get();
-      testing::AddGlobalTestEnvironment(owned.release());  // GoogleTest deletes it
-      return made;
-    }();
-    return *tested;
-  }
-
   const VulkanInstance& instance() {
     if (instance_ == nullptr) instance_ = std::make_unique<VulkanInstance>(true);
     return *instance_;
@@ -57,6 +46,7 @@ class TestedDevice : public testing::Environment {
     device_.reset();
     expect_no_messages();
     instance_.reset();
+    told_ = 0;
   }
 
  private:
@@ -65,14 +55,17 @@ class TestedDevice : public testing::Environment {
   std::size_t told_ = 0;
 };
 
+/// The one of this process. GoogleTest owns it, and has to know it before the first case.
+inline TestedDevice& tested_device = *static_cast<TestedDevice*>(testing::AddGlobalTestEnvironment(new TestedDevice));
+
 /// A case on the driver the tests run on. No message of the validation layer is allowed.
 class DeviceTest : public testing::Test {
  protected:
-  void SetUp() override { TestedDevice::get().device(); }
-  void TearDown() override { TestedDevice::get().expect_no_messages(); }
+  void SetUp() override { tested_device.device(); }
+  void TearDown() override { tested_device.expect_no_messages(); }
 
-  const VulkanInstance& instance() const { return TestedDevice::get().instance(); }
-  const Device& device() const { return TestedDevice::get().device(); }
+  const VulkanInstance& instance() const { return tested_device.instance(); }
+  const Device& device() const { return tested_device.device(); }
 };
 
 }  // namespace vernier
