@@ -2,10 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-
 #include "error.h"
+#include "temporary_folder.h"
 
 namespace vernier {
 namespace {
@@ -36,15 +34,11 @@ TEST(Recipe, BuiltinSceneHasNoHash) {
 // The test vector of FIPS 180, "abc", whole and in two files.
 TEST(Sha1OfFiles, TestVectorOfFips180) {
   const char* digest = "a9993e364706816aba3e25717850c26c9cd0d89d";
-  const std::string folder = testing::TempDir() + "/vernier_sha1_of_";
-  const std::vector<std::string> whole = {folder + "abc"}, parts = {folder + "a", folder + "bc"};
-  std::ofstream(whole[0]) << "abc";
-  std::ofstream(parts[0]) << "a";
-  std::ofstream(parts[1]) << "bc";
-  EXPECT_EQ(sha1_of_files(whole), digest);
-  EXPECT_EQ(sha1_of_files(parts), digest);
-  for (const std::string& path : {whole[0], parts[0], parts[1]}) std::filesystem::remove(path);
-  EXPECT_THROW(sha1_of_files(whole), Error);
+  using Files = std::vector<std::string>;
+  const TemporaryFolder folder;
+  EXPECT_EQ(sha1_of_files(Files{folder.write("abc", "abc")}), digest);
+  EXPECT_EQ(sha1_of_files(Files{folder.write("a", "a"), folder.write("bc", "bc")}), digest);
+  EXPECT_THROW(sha1_of_files(Files{folder.file("missing")}), Error);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "device_test.h"
 #include "render/pipeline_file.h"
+#include "temporary_folder.h"
 #include "traced_film.h"
 
 namespace vernier {
@@ -12,18 +13,7 @@ namespace fs = std::filesystem;
 
 class PipelineCacheTest : public DeviceTest {
  protected:
-  void SetUp() override {
-    DeviceTest::SetUp();
-    std::string name = (fs::temp_directory_path() / "vernier-pipelines-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override {
-    fs::remove_all(folder_);
-    DeviceTest::TearDown();
-  }
-
-  std::string file() const { return folder_ / (device().description().pipeline_key + ".pipelines"); }
+  std::string file() const { return folder_.file(device().description().pipeline_key + ".pipelines"); }
 
   static std::vector<std::uint32_t> film(const Device& device) {
     const RenderSettings settings = test::small_image(8, 8, 1);
@@ -33,7 +23,7 @@ class PipelineCacheTest : public DeviceTest {
                        choose_scene_loads(device.description()), detect_effects(scene, camera, 8).bits);
   }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(PipelineCacheTest, the_key_names_vendor_device_driver_and_uuid) {
@@ -61,7 +51,6 @@ TEST_F(PipelineCacheTest, a_device_takes_what_another_compiled) {
 }
 
 TEST_F(PipelineCacheTest, a_damaged_file_is_compiled_anew_and_replaced) {
-  fs::create_directories(folder_);
   write_pipelines(file(), device().description().pipeline_key, device().compiled_pipelines());
   fs::resize_file(file(), fs::file_size(file()) - 1);
   const CachedDevice opened(instance(), device().description(), file());

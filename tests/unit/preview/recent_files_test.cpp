@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
+#include "temporary_folder.h"
 
 namespace vernier {
 namespace {
@@ -22,12 +22,10 @@ TEST(RecentFilesTest, NoMoreThanTen) {
 }
 
 TEST(RecentFilesTest, WhatIsWrittenIsReadAgain) {
-  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "recent_files_test";
-  std::filesystem::remove_all(folder);
-  const std::string file = (folder / "made" / "recent").string();
+  const TemporaryFolder folder;
+  const std::string file = folder.file("made/recent");
   write_recent_files(file, {"/b c.glb", "/a.obj"});
   EXPECT_EQ(read_recent_files(file), (Files{"/b c.glb", "/a.obj"}));
-  std::filesystem::remove_all(folder);
 }
 
 TEST(RecentFilesTest, NowhereIsNoError) {

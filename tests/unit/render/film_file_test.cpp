@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "shared/film_layout.h"
+#include "temporary_folder.h"
 #include "unit/image/expect_error.h"
 #include "unit/image/file_size_limit.h"
-#include "unit/image/temporary_folder.h"
 
 namespace vernier {
 namespace {

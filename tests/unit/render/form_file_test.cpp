@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
-#include <filesystem>
 #include <fstream>
 
 #include "shader/tiny_scene.h"
+#include "temporary_folder.h"
 
 namespace vernier {
 namespace {
@@ -14,9 +14,7 @@ namespace {
 class FormFileTest : public testing::Test {
  protected:
   void SetUp() override {
-    folder_ = std::filesystem::path(testing::TempDir()) / "form_file_test";
-    std::filesystem::remove_all(folder_);
-    setenv("VERNIER_PIPELINE_CACHE", folder_.c_str(), 1);
+    setenv("VERNIER_PIPELINE_CACHE", folder_.path().c_str(), 1);
     device_.pipeline_key = "a-key";
     device_.subgroup_ballot = true;
   }
@@ -26,7 +24,7 @@ class FormFileTest : public testing::Test {
     return calibrated_form(device_, scene_, asked);
   }
 
-  std::filesystem::path folder_;
+  TemporaryFolder folder_;
   DeviceDescription device_;
   Scene scene_ = test::tiny_scene();
 };
@@ -61,12 +59,11 @@ TEST_F(FormFileTest, ray_queries_leave_scenes_of_many_instances_to_our_tree) {
 }
 
 TEST_F(FormFileTest, another_file_says_nothing) {
-  std::filesystem::create_directories(folder_);
   for (const char* text : {"", "\n", "texels", "ray-query and more\n"}) {
     std::ofstream(form_file(device_.pipeline_key)) << text;
     EXPECT_FALSE(read_form(form_file(device_.pipeline_key))) << text;
   }
-  EXPECT_FALSE(read_form(folder_));
+  EXPECT_FALSE(read_form(folder_.path()));
   EXPECT_FALSE(read_form(""));
 }
 

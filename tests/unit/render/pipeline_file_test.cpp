@@ -7,6 +7,8 @@
 #include <fstream>
 #include <optional>
 
+#include "temporary_folder.h"
+
 namespace vernier {
 namespace {
 
@@ -20,17 +22,9 @@ std::vector<std::byte> some_bytes(std::size_t count) {
   return bytes;
 }
 
-/// A folder of the test's own; what is written there goes with it.
 class PipelineFileTest : public testing::Test {
  protected:
-  void SetUp() override {
-    std::string name = (fs::temp_directory_path() / "vernier-pipelines-XXXXXX").string();
-    ASSERT_NE(mkdtemp(name.data()), nullptr);
-    folder_ = name;
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  std::string file() const { return folder_ / "deep" / "er" / "a.pipelines"; }
+  std::string file() const { return folder_.file("deep/er/a.pipelines"); }
   void store(std::size_t count) const { write_pipelines(file(), kKey, some_bytes(count)); }
   StoredPipelines read() const { return read_pipelines(file(), kKey); }
 
@@ -47,7 +41,7 @@ class PipelineFileTest : public testing::Test {
     stream.put(byte);
   }
 
-  fs::path folder_;
+  TemporaryFolder folder_;
 };
 
 TEST_F(PipelineFileTest, gives_back_what_was_written) {
@@ -109,7 +103,7 @@ TEST_F(PipelineFileTest, too_large_is_neither_read_nor_kept) {
 
 TEST_F(PipelineFileTest, a_place_that_cannot_be_written_is_no_error) {
   // A file stands where a folder would have to be: so it is for every user, root too.
-  std::ofstream(folder_ / "deep") << "in the way";
+  folder_.write("deep", "in the way");
   const std::string note = write_pipelines(file(), kKey, some_bytes(10));
   EXPECT_NE(note.find("not written"), std::string::npos) << note;
   expect_nothing("not there yet");
