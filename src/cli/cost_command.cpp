@@ -18,6 +18,7 @@
 #include "cli/scene_setup.h"
 #include "cli/warnings.h"
 #include "error.h"
+#include "image/codec_module.h"
 #include "image/color_image.h"
 #include "image/read_image.h"
 #include "image/whole_file.h"
@@ -71,13 +72,14 @@ SweepSetup sweep_setup(const CostArguments& arguments) {
   return setup;
 }
 
-/// Makes the folder, or finds out before the work that it cannot be.
+/// Makes the folder, or finds out before the work that it cannot be, nor pictures in it.
 void prepare_folder(const std::string& folder) {
   std::error_code failure;
   std::filesystem::create_directories(folder + "/images", failure);
   if (failure) throw Error(ErrorKind::failed, folder + ": " + failure.message());
   write_text(folder + "/images/.writable", "");
   std::filesystem::remove(folder + "/images/.writable", failure);
+  load_codecs();
 }
 
 void write_pictures(const std::string& folder, const Sweep& sweep, CostNames& names) {

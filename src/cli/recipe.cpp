@@ -39,20 +39,6 @@ void append_file(OIIO::SHA1& hash, const std::string& path) {
   }
 }
 
-std::map<std::string, std::string> scene_recipe(const SceneArguments& scene, std::span<const std::string> files,
-                                                const RenderArguments& render) {
-  std::map<std::string, std::string> metadata;
-  metadata["vernier:version"] = kVersion;
-  metadata["vernier:scene"] = scene.scene;
-  metadata["vernier:options"] = recipe_options(scene, render).dump();
-  if (!files.empty()) {
-    const std::string of_all = sha1_of_files(files);
-    metadata["vernier:scene_sha1"] = of_all;
-    metadata["vernier:files"] = sha1_by_path(files, of_all).dump();
-  }
-  return metadata;
-}
-
 }  // namespace
 
 nlohmann::ordered_json recipe_options(const SceneArguments& scene, const RenderArguments& render) {
@@ -99,20 +85,31 @@ std::string sha1_of_files(std::span<const std::string> paths) {
   return digits;
 }
 
-std::map<std::string, std::string> render_recipe(const SceneArguments& scene, std::span<const std::string> files,
-                                                 const RenderArguments& render, const RecipeMaker& maker) {
-  std::map<std::string, std::string> metadata = scene_recipe(scene, files, render);
-  metadata["vernier:device"] = maker.device;
-  metadata["vernier:driver"] = maker.driver;
-  metadata["vernier:spirv_hash"] = maker.spirv_hash;
+std::map<std::string, std::string> scene_recipe(const SceneArguments& scene, std::span<const std::string> files,
+                                                const RenderArguments& render) {
+  std::map<std::string, std::string> metadata;
+  metadata["vernier:version"] = kVersion;
+  metadata["vernier:scene"] = scene.scene;
+  metadata["vernier:options"] = recipe_options(scene, render).dump();
+  if (!files.empty()) {
+    const std::string of_all = sha1_of_files(files);
+    metadata["vernier:scene_sha1"] = of_all;
+    metadata["vernier:files"] = sha1_by_path(files, of_all).dump();
+  }
   return metadata;
 }
 
-std::map<std::string, std::string> reference_recipe(const SceneArguments& scene, std::span<const std::string> files,
-                                                    const RenderArguments& render) {
-  std::map<std::string, std::string> metadata = scene_recipe(scene, files, render);
-  metadata["vernier:device"] = "reference";
-  return metadata;
+std::map<std::string, std::string> render_recipe(std::map<std::string, std::string> of_scene,
+                                                 const RecipeMaker& maker) {
+  of_scene["vernier:device"] = maker.device;
+  of_scene["vernier:driver"] = maker.driver;
+  of_scene["vernier:spirv_hash"] = maker.spirv_hash;
+  return of_scene;
+}
+
+std::map<std::string, std::string> reference_recipe(std::map<std::string, std::string> of_scene) {
+  of_scene["vernier:device"] = "reference";
+  return of_scene;
 }
 
 }  // namespace vernier

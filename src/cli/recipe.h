@@ -25,16 +25,18 @@ nlohmann::ordered_json recipe_options(const SceneArguments& scene, const RenderA
 /// sha1sum tells of it. Throws Error(refused) for a file that cannot be read.
 std::string sha1_of_files(std::span<const std::string> paths);
 
-/// Metadata of a rendered image: vernier:version, vernier:scene, vernier:scene_sha1 (sha1_of_files of `files`, which
+/// Metadata of what an image shows: vernier:version, vernier:scene, vernier:scene_sha1 (sha1_of_files of `files`, which
 /// are Scene::files: buffers, textures, material libraries and the background image count too), vernier:files (JSON
-/// text: the SHA-1 of each by its path), vernier:options (JSON text of recipe_options), vernier:device, vernier:driver,
-/// vernier:spirv_hash. Equal renders have equal metadata: no date, no host. For the built-in scene vernier:scene is
-/// empty; it is part of the program's version, and without files there is no hash.
-std::map<std::string, std::string> render_recipe(const SceneArguments& scene, std::span<const std::string> files,
-                                                 const RenderArguments& render, const RecipeMaker& maker);
+/// text: the SHA-1 of each by its path), vernier:options (JSON text of recipe_options). For the built-in scene
+/// vernier:scene is empty; it is part of the program's version, and without files there is no hash.
+std::map<std::string, std::string> scene_recipe(const SceneArguments& scene, std::span<const std::string> files,
+                                                const RenderArguments& render);
+
+/// Metadata of a rendered image: those of scene_recipe, and vernier:device, vernier:driver, vernier:spirv_hash. Equal
+/// renders have equal metadata: no date, no host.
+std::map<std::string, std::string> render_recipe(std::map<std::string, std::string> of_scene, const RecipeMaker& maker);
 
 /// The same for an image of the double-precision reference, with vernier:device `reference`.
-std::map<std::string, std::string> reference_recipe(const SceneArguments& scene, std::span<const std::string> files,
-                                                    const RenderArguments& render);
+std::map<std::string, std::string> reference_recipe(std::map<std::string, std::string> of_scene);
 
 }  // namespace vernier

@@ -12,6 +12,7 @@
 #include "cli/scene_setup.h"
 #include "cli/warnings.h"
 #include "error.h"
+#include "image/codec_module.h"
 #include "image/write_image.h"
 #include "reference/render_reference.h"
 #include "reference/traced_scene.h"
@@ -65,6 +66,7 @@ int run_reference(const ReferenceArguments& arguments) {
   SceneSetup setup = set_up_scene(scene_settings, static_cast<double>(settings.width) / settings.height);
   // All instances are copied here, on purpose: nothing of the tracer's is shared.
   check_memory(setup.scene.source, need_of_copies(setup.scene, reference::kTriangleBytes), memory_there());
+  load_codecs();  // before the work: without them it could not be written
   set_texture_filters(setup.scene, arguments.render);
   print_warnings(setup.scene.warnings);
   ImageFile image;
@@ -76,7 +78,7 @@ int run_reference(const ReferenceArguments& arguments) {
     callbacks.cancelled = interrupted;
     image = render_reference(setup.scene, setup.camera, settings, callbacks);
   }
-  image.metadata.merge(reference_recipe(arguments.scene, setup.scene.files, arguments.render));
+  image.metadata.merge(reference_recipe(scene_recipe(arguments.scene, setup.scene.files, arguments.render)));
   write_image(arguments.output, image, display);
   if (!arguments.quiet) {
     std::fprintf(stderr, "%s: %dx%d, %u spp, double precision\n", arguments.output.c_str(), settings.width,

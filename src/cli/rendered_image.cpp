@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <future>
 #include <optional>
 
 #include "cli/cost_legend.h"
@@ -13,6 +14,7 @@
 #include "cli/scene_setup.h"
 #include "cli/warnings.h"
 #include "error.h"
+#include "image/codec_module.h"
 #include "render/film_file.h"
 #include "render/form_file.h"
 #include "render/gpu_scene.h"
@@ -25,6 +27,16 @@ namespace vernier {
 namespace {
 
 using Metadata = std::map<std::string, std::string>;
+
+/// Loads libraries beside the scene: the driver's, then those of the codecs, since the system's loader takes one
+/// request at a time. What is missing shows at get(), before anything is traced that could not be written.
+std::future<VulkanInstance> load_libraries() {
+  return std::async(std::launch::async, [] {
+    VulkanInstance instance;
+    load_codecs();
+    return instance;
+  });
+}
 
 /// What to go on from. A render that is killed before its first checkpoint begins anew by the same command.
 std::optional<SavedFilm> read_resumed(const RenderPlan& plan) {
@@ -92,16 +104,18 @@ std::map<std::string, std::string> describe_image(const RenderPlan& plan, const 
 
 RenderedImage render_planned(RenderPlan plan) {
   const std::optional<SavedFilm> resumed = read_resumed(plan);
+  std::future<VulkanInstance> libraries = load_libraries();
   const double aspect = static_cast<double>(plan.settings.width) / plan.settings.height;
   const SceneSetup setup = set_up_scene(plan.scene, aspect);
   print_warnings(setup.scene.warnings);
-  const VulkanInstance instance;
+  Metadata shown = scene_recipe(plan.scene_arguments, setup.scene.files, plan.render_arguments);
+  const VulkanInstance instance = libraries.get();
   const DeviceDescription description = choose_device(list_devices(instance), plan.device);
   plan.settings.traversal = calibrated_form(description, setup.scene, plan.settings.traversal);
   const bool driver_traces = plan.settings.traversal == TraversalForm::ray_query;
   const RecipeMaker maker{description.name, description.driver,
                           trace_spirv_hash(choose_scene_loads(description, plan.settings.traversal))};
-  const Metadata recipe = render_recipe(plan.scene_arguments, setup.scene.files, plan.render_arguments, maker);
+  const Metadata recipe = render_recipe(std::move(shown), maker);
   if (resumed) match_recipes("this render", recipe, plan.resume, resumed->recipe, {});
   const MemoryNeed memory = memory_need(setup.scene, driver_traces ? Sharing::never : plan.settings.sharing);
   check_and_tell(setup.scene.source, memory, memory_there(description), plan.quiet);

@@ -32,9 +32,8 @@ void save_picture(const RenderCommandArguments& arguments, const SavedPicture& p
   const RecipeMaker maker{picture.device.name, picture.device.driver,
                           trace_spirv_hash(choose_scene_loads(picture.device))};
   ImageFile image = picture.image;
-  image.metadata =
-      describe_image(plan, image, picture.statistics,
-                     render_recipe(plan.scene_arguments, picture.viewed.scene.files, plan.render_arguments, maker));
+  const auto shown = scene_recipe(plan.scene_arguments, picture.viewed.scene.files, plan.render_arguments);
+  image.metadata = describe_image(plan, image, picture.statistics, render_recipe(shown, maker));
   write_image(plan.output, image, plan.display);
 }
 

@@ -23,7 +23,8 @@ inline constexpr std::int64_t kMostImageValues = std::int64_t{1} << 31;
 /// and not multiplied in. Metadata are those that write_image stored. There is no crop.
 ///
 /// Throws Error(refused) with `path` and the reason: not there or not readable, unknown extension, broken or cut off,
-/// no pixels, more than kMostImageValues values, several parts or pages, deep or volumetric pixels, not enough memory.
+/// no pixels, more than kMostImageValues values, several parts or pages, deep or volumetric pixels, not enough memory;
+/// and what codec_address does.
 /// Memory is filled only as far as the file really holds pixels.
 ImageFile read_image(const std::string& path);
 

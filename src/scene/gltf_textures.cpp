@@ -63,6 +63,7 @@ DecodedImage decode_image(const GltfDocument& document, const GltfImageUse& use)
   try {
     decoded.texels = read_image(document, use, decoded.path);
   } catch (const Error& failure) {
+    if (failure.kind() != ErrorKind::refused) throw;  // not the image's fault
     decoded.fault = failure.what();
   }
   return decoded;

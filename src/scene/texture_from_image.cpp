@@ -1,113 +1,22 @@
 #include "scene/texture_from_image.h"
 
-#include <OpenImageIO/filesystem.h>
-#include <OpenImageIO/imageio.h>
-
-#include <algorithm>
-#include <array>
-#include <bit>
-#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <string_view>
 #include <vector>
 
 #include "error.h"
-#include "image/srgb_curve.h"
+#include "image/codec_module.h"
 #include "scene/essential_png.h"
+#include "scene/texel_codec.h"
 
 namespace vernier {
 namespace {
 
 constexpr std::string_view kPngSignature("\x89PNG\r\n\x1a\n", 8);
-/// Rows read at once: enough to make a call's overhead small.
-constexpr int kBandRows = 64;
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
   throw Error(ErrorKind::refused, name + ": " + what);
-}
-
-std::string one_line(std::string text) {
-  for (char& c : text) {
-    if (c == '\n' || c == '\r' || c == '\t') c = ' ';
-  }
-  while (!text.empty() && text.back() == ' ') text.pop_back();
-  return text.empty() ? "unknown format" : text;
-}
-
-void check_size(const OIIO::ImageSpec& spec, const std::string& name) {
-  if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels <= 0) {
-    refuse(name, "not an image of width, height and channels above zero");
-  }
-  if (spec.width > kMaxTextureSide_px || spec.height > kMaxTextureSide_px ||
-      std::uint64_t(spec.width) * std::uint64_t(spec.height) > kMaxTexels) {
-    refuse(name, std::to_string(spec.width) + "x" + std::to_string(spec.height) + " texels are more than " +
-                     std::to_string(kMaxTexels) + " or a side is longer than " + std::to_string(kMaxTextureSide_px));
-  }
-}
-
-/// Where red, green, blue and alpha lie among `count` channels; -1: opaque.
-std::array<int, 4> channel_order(int count) {
-  switch (count) {
-    case 1:
-      return {0, 0, 0, -1};
-    case 2:
-      return {0, 0, 0, 1};
-    case 3:
-      return {0, 1, 2, -1};
-    default:
-      return {0, 1, 2, 3};
-  }
-}
-
-// Read in bands: the only large allocation is the result, whose size has been checked. A tiled image (EXR, TIFF) is
-// read a row of tiles at a time.
-template <typename T, typename StoreTexel>
-void read_texels(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std::string& name, StoreTexel store) {
-  const std::size_t channels = std::size_t(spec.nchannels > 4 ? 4 : spec.nchannels);
-  const auto type = OIIO::BaseTypeFromC<T>::value;
-  const int band_rows =
-      spec.tile_width > 0 ? std::clamp(spec.tile_height, 1, spec.height) : std::min(kBandRows, spec.height);
-  std::vector<T> band(std::size_t(spec.width) * std::size_t(band_rows) * channels);
-  for (int row = 0; row < spec.height; row += band_rows) {
-    const int end = std::min(row + band_rows, spec.height);
-    const bool ok = spec.tile_width > 0 ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + row,
-                                                           spec.y + end, 0, 1, 0, int(channels), type, band.data())
-                                        : input.read_scanlines(0, 0, spec.y + row, spec.y + end, 0, 0, int(channels),
-                                                               type, band.data());
-    if (!ok) refuse(name, "the image cannot be read: " + one_line(input.geterror()));
-    const std::size_t first = std::size_t(row) * std::size_t(spec.width);
-    const std::size_t count = std::size_t(end - row) * std::size_t(spec.width);
-    for (std::size_t i = 0; i < count; ++i) store(first + i, band.data() + i * channels);
-  }
-}
-
-void read_bytes(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std::string& name, Texels& texels) {
-  const std::array<int, 4> order = channel_order(spec.nchannels);
-  texels.words.resize(std::size_t(spec.width) * std::size_t(spec.height));
-  read_texels<std::uint8_t>(input, spec, name, [&](std::size_t texel, const std::uint8_t* values) {
-    std::uint32_t word = 0;
-    for (std::size_t c = 0; c < 4; ++c) {
-      const std::uint32_t value = order[c] < 0 ? 255u : values[order[c]];
-      word |= value << (8 * c);
-    }
-    texels.words[texel] = word;
-  });
-}
-
-void read_floats(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std::string& name, bool decode_srgb,
-                 Texels& texels) {
-  const std::array<int, 4> order = channel_order(spec.nchannels);
-  texels.format = TEXTURE_FORMAT_FLOAT;
-  texels.words.resize(std::size_t(spec.width) * std::size_t(spec.height) * 4);
-  read_texels<float>(input, spec, name, [&](std::size_t texel, const float* values) {
-    for (std::size_t c = 0; c < 4; ++c) {
-      float value = order[c] < 0 ? 1.0f : values[order[c]];
-      if (!std::isfinite(value)) value = 0.0f;
-      if (decode_srgb && c < 3) value = static_cast<float>(linear_from_srgb(value));
-      texels.words[texel * 4 + c] = std::bit_cast<std::uint32_t>(value);
-    }
-  });
 }
 
 bool begins_with(std::span<const std::byte> encoded, std::string_view bytes, std::size_t offset = 0) {
@@ -141,30 +50,8 @@ std::shared_ptr<const Texels> decode_texels(std::span<const std::byte> encoded, 
   const std::string extension = extension_of(encoded, name);
   std::vector<std::byte> png;
   if (extension == "png" && begins_with(encoded, kPngSignature)) encoded = png = essential_png(encoded, name);
-  OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(encoded.data()), encoded.size());
-  OIIO::ImageSpec config;
-  config.attribute("oiio:UnassociatedAlpha", 1);
-  // The reader's own parameter is ignored by OpenImageIO 2.4.7 where there is a configuration too.
-  OIIO::Filesystem::IOProxy* proxy = &memory;
-  config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open("texture." + extension, &config);
-  if (!input) {
-    OIIO::geterror();  // empties OpenImageIO's queue of messages
-    refuse(name, "not an image in a format that can be read");
-  }
-  const OIIO::ImageSpec spec = input->spec();
-  check_size(spec, name);
-
   auto texels = std::make_shared<Texels>();
-  texels->width = std::uint32_t(spec.width);
-  texels->height = std::uint32_t(spec.height);
-  const bool is_float = spec.format.is_floating_point();
-  if (!is_float && spec.format.size() == 1) {
-    texels->format = encoding == TexelEncoding::srgb ? TEXTURE_FORMAT_SRGB8 : TEXTURE_FORMAT_LINEAR8;
-    read_bytes(*input, spec, name, *texels);
-  } else {
-    read_floats(*input, spec, name, !is_float && encoding == TexelEncoding::srgb, *texels);
-  }
+  codec<decltype(read_texels)>("read_texels")(encoded, extension, name, encoding, *texels);
   return texels;
 }
 

@@ -71,6 +71,16 @@ class InputTest(ProgramTest):
         self.check_error(FAILED, "is a folder", "render", SCENE, "-o", "out.png", *SMALL)
         self.assertEqual(self.files(), ["out.png"])
 
+    def test_codecs_that_cannot_be_loaded(self):
+        """Said before anything is rendered; what reads and writes no image does without them."""
+        self.write("libvernier_codecs.so", "no library")
+        without = {"LD_LIBRARY_PATH": str(self.folder)}
+        self.write("triangle.obj", TRIANGLE_OBJ)
+        self.check_error(FAILED, "libvernier_codecs.so", "render", "triangle.obj", "-o", "out.png", *SMALL, environment=without)
+        self.check_error(FAILED, "libvernier_codecs.so", "explain", str(SCENES / "texture_wrap.glb"), environment=without)
+        self.check_done("explain", "triangle.obj", environment=without)
+        self.assertEqual(self.files(), ["libvernier_codecs.so", "triangle.obj"])
+
     def test_strict_refuses_what_is_not_supported(self):
         text = '{"asset":{"version":"2.0"},"extensionsUsed":["EXT_not_there"],"scene":0,"scenes":[{"nodes":[0]}],' \
                '"nodes":[{"mesh":0}],"meshes":[{"primitives":[{"attributes":{"POSITION":0}}]}],' \

@@ -23,7 +23,8 @@ TEST(Recipe, OptionsThatAreGivenAndThoseWithADefault) {
 }
 
 TEST(Recipe, BuiltinSceneHasNoHash) {
-  const auto metadata = render_recipe(SceneArguments{}, {}, RenderArguments{}, {"card", "driver 1", "abc"});
+  const auto metadata =
+      render_recipe(scene_recipe(SceneArguments{}, {}, RenderArguments{}), {"card", "driver 1", "abc"});
   EXPECT_EQ(metadata.at("vernier:scene"), "");
   EXPECT_FALSE(metadata.contains("vernier:scene_sha1"));
   EXPECT_EQ(metadata.at("vernier:device"), "card");

@@ -4,8 +4,8 @@ import re
 
 from house.source_tree import Finding, line_of
 
-ROOMS = ["math", "image", "scene", "bvh", "effects", "gpu", "reference", "render", "accuracy", "verify", "preview",
-         "cli"]
+ROOMS = ["math", "image", "scene", "codecs", "bvh", "effects", "gpu", "reference", "render", "accuracy", "verify",
+         "preview", "cli"]
 
 # Rooms that know less than the order alone would allow.
 IGNORES = {

@@ -1,11 +1,11 @@
-#include "image/file_layers.h"
+#include "codecs/file_layers.h"
 
 #include <algorithm>
 #include <array>
 #include <cstring>
 #include <map>
 
-#include "image/pixel_rows.h"
+#include "codecs/pixel_rows.h"
 #include "image/srgb_curve.h"
 
 namespace vernier {

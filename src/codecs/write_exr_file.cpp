@@ -1,8 +1,7 @@
-#include "image/write_exr.h"
-
 #include <cstring>
 
-#include "image/write_pixels.h"
+#include "codecs/write_pixels.h"
+#include "image/image_codecs.h"
 
 namespace vernier {
 namespace {
@@ -34,7 +33,7 @@ OIIO::ImageSpec exr_spec(const ImageFile& image) {
 
 }  // namespace
 
-void write_exr(const std::string& path, const ImageFile& image) {
+void write_exr_file(const std::string& path, const ImageFile& image) {
   const OIIO::ImageSpec spec = exr_spec(image);
   const std::size_t pixel_bytes = spec.nchannels * kValueBytes;
   write_pixels(path, FileFormat::exr, spec, [&](int row_begin, int row_end, std::byte* bytes) {

@@ -1,4 +1,4 @@
-#include "image/checked_file.h"
+#include "codecs/checked_file.h"
 
 #include <algorithm>
 #include <cerrno>

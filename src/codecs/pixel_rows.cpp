@@ -1,4 +1,4 @@
-#include "image/pixel_rows.h"
+#include "codecs/pixel_rows.h"
 
 #include <algorithm>
 #include <cstring>

@@ -1,11 +1,11 @@
-#include "image/write_pixels.h"
+#include "codecs/write_pixels.h"
 
 #include <algorithm>
 #include <memory>
 #include <vector>
 
+#include "codecs/checked_file.h"
 #include "error.h"
-#include "image/checked_file.h"
 #include "image/whole_file.h"
 
 namespace vernier {

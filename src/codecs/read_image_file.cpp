@@ -1,0 +1,119 @@
+#include <OpenImageIO/imageio.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <new>
+
+#include "codecs/file_layers.h"
+#include "codecs/pixel_rows.h"
+#include "error.h"
+#include "image/file_metadata.h"
+#include "image/image_codecs.h"
+#include "image/read_image.h"
+
+namespace vernier {
+namespace {
+
+[[noreturn]] void refuse(const std::string& path, std::string reason) {
+  std::replace(reason.begin(), reason.end(), '\n', ' ');
+  throw Error(ErrorKind::refused, path + ": " + (reason.empty() ? "cannot be read as this image format" : reason));
+}
+
+bool known_type(OIIO::TypeDesc type) {
+  switch (type.basetype) {
+    case OIIO::TypeDesc::FLOAT:
+    case OIIO::TypeDesc::DOUBLE:
+    case OIIO::TypeDesc::HALF:
+    case OIIO::TypeDesc::UINT8:
+    case OIIO::TypeDesc::UINT16:
+    case OIIO::TypeDesc::UINT32:
+      return type.aggregate == OIIO::TypeDesc::SCALAR && type.arraylen == 0;
+    default:
+      return false;
+  }
+}
+
+void check_spec(const std::string& path, const OIIO::ImageSpec& spec) {
+  if (spec.width < 1 || spec.height < 1 || spec.nchannels < 1) refuse(path, "the image has no pixels");
+  if (spec.deep || spec.depth > 1) refuse(path, "deep and volumetric images are not supported");
+  const std::int64_t row_values = std::int64_t{spec.width} * spec.nchannels;
+  if (row_values > kMostImageValues / spec.height)
+    refuse(path, std::to_string(spec.width) + " x " + std::to_string(spec.height) + " pixels of " +
+                     std::to_string(spec.nchannels) + " channels are more than 2^31 values");
+  if (spec.full_width < 1 || spec.full_height < 1) refuse(path, "the full image has no pixels");
+  for (int channel = 0; channel < spec.nchannels; ++channel)
+    if (!known_type(spec.channelformat(channel)))
+      refuse(path, std::string("channels of type ") + spec.channelformat(channel).c_str() + " are not supported");
+}
+
+std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, FileFormat format) {
+  std::error_code error;
+  const auto status = std::filesystem::status(path, error);
+  if (!std::filesystem::exists(status)) refuse(path, error ? error.message() : "there is no such file");
+  if (std::filesystem::is_directory(status)) refuse(path, "it is a folder");
+  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(codec_name(format));
+  if (!input) refuse(path, OIIO::geterror());
+  OIIO::ImageSpec spec;
+  OIIO::ImageSpec as_stored;
+  as_stored.attribute("oiio:UnassociatedAlpha", 1);
+  if (!input->open(path, spec, as_stored)) refuse(path, input->geterror());
+  check_spec(path, spec);
+  if (input->seek_subimage(1, 0)) refuse(path, "files of several parts or pages are not supported");
+  input->geterror();  // the missing second part is no failure
+  if (!input->seek_subimage(0, 0)) refuse(path, input->geterror());
+  return input;
+}
+
+// Attributes that describe how the file is stored or that the writer adds by itself are not what its author said.
+bool is_storage_attribute(const std::string& name) {
+  return name == "compression" || name.starts_with("oiio:") || name.starts_with("openexr:");
+}
+
+std::map<std::string, std::string> metadata_of(const OIIO::ImageSpec& spec, FileFormat format) {
+  if (format != FileFormat::exr) return metadata_of_text(spec.get_string_attribute("ImageDescription"));
+  std::map<std::string, std::string> metadata;
+  for (const OIIO::ParamValue& attribute : spec.extra_attribs) {
+    const std::string name = attribute.name().string();
+    if (attribute.type() != OIIO::TypeString || is_storage_attribute(name)) continue;
+    const std::string value = attribute.get_string();
+    if (name != "DateTime" || !value.empty()) metadata[name] = value;
+  }
+  return metadata;
+}
+
+ImageFile image_of_spec(const OIIO::ImageSpec& spec, FileFormat format) {
+  ImageFile image;
+  image.width = spec.width;
+  image.height = spec.height;
+  if (format == FileFormat::exr) {
+    // Positions are relative to the full image, which other programs may let start anywhere.
+    image.x = spec.x - spec.full_x;
+    image.y = spec.y - spec.full_y;
+  }
+  image.full_width = format == FileFormat::exr ? spec.full_width : spec.width;
+  image.full_height = format == FileFormat::exr ? spec.full_height : spec.height;
+  image.metadata = metadata_of(spec, format);
+  return image;
+}
+
+}  // namespace
+
+void read_image_file(const std::string& path, FileFormat format, ImageFile& image) {
+  try {
+    const std::unique_ptr<OIIO::ImageInput> input = open_input(path, format);
+    const OIIO::ImageSpec spec = input->spec();
+    image = image_of_spec(spec, format);
+    const std::vector<LayerSource> sources = format == FileFormat::exr ? named_layers(spec) : unnamed_layer(spec);
+    image.layers = empty_layers(sources, static_cast<std::size_t>(spec.width) * spec.height);
+    read_rows(path, *input, [&](const std::byte* bytes, int row_count) {
+      append_pixels(image.layers, sources, spec, bytes, static_cast<std::size_t>(row_count) * spec.width);
+    });
+  } catch (const std::bad_alloc&) {
+    refuse(path, "not enough memory for its pixels");
+  } catch (const std::length_error&) {
+    refuse(path, "not enough memory for its pixels");
+  }
+}
+
+}  // namespace vernier
