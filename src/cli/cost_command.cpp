@@ -12,6 +12,7 @@
 #include "cli/commands.h"
 #include "cli/diff_report.h"
 #include "cli/interrupt.h"
+#include "cli/json_text.h"
 #include "cli/parse_values.h"
 #include "cli/point_command.h"
 #include "cli/progress_bar.h"
@@ -59,6 +60,7 @@ SweepSetup sweep_setup(const CostArguments& arguments) {
   RenderArguments render = arguments.render;
   if (render.size.empty()) render.size = arguments.quick ? "128x72" : "256x144";
   setup.settings = parse_render_settings(render);
+  if (setup.settings.spp < 2) throw Error(ErrorKind::usage, "--spp: at least 2 are needed");
   setup.quick = arguments.quick;
   setup.budget_s = arguments.quick ? kQuickBudget_s : 300.0;
   if (!arguments.budget.empty()) {
@@ -147,7 +149,7 @@ int run_cost(const CostArguments& arguments) {
   write_pictures(arguments.folder, sweep, names);
   const nlohmann::ordered_json json = cost_json(sweep, setup, names);
   write_text(arguments.folder + "/cost.csv", cost_csv(sweep));
-  write_text(arguments.folder + "/cost.json", json.dump(2) + "\n");
+  write_text(arguments.folder + "/cost.json", json_text(json));
   print_choices(json);
   std::fflush(stdout);
   if (!make_page(arguments.folder)) {
@@ -191,6 +193,7 @@ void add_cost_command(CLI::App& app, Command& chosen) {
   add_filter_options(command, arguments->render);
   add_accuracy_option(command, arguments->render.accuracy);
   add_effects_option(command, arguments->render.effects);
+  add_dispatch_options(command, arguments->render);
   add_scene_options(command, arguments->scene);
   command
       .add_option("--device", arguments->device, "index or part of the name, see vernier devices (default: the best)")

@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/form_report.h"
+#include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/progress_bar.h"
 #include "cli/scene_setup.h"
@@ -57,7 +58,7 @@ int run_devices(const DevicesArguments& arguments) {
     const DeviceDescription description = choose_device(list_devices(instance), arguments.device);
     json["calibration"] = calibrate(instance, description, arguments.quiet);
   }
-  if (!arguments.json_file.empty()) write_text(arguments.json_file, json.dump(2) + "\n");
+  if (!arguments.json_file.empty()) write_text(arguments.json_file, json_text(json));
   const bool any = std::ranges::any_of(reports, [](const DeviceReport& report) { return report.device.usable; });
   return any ? 0 : static_cast<int>(ErrorKind::no_device);
 }

@@ -4,8 +4,11 @@
 
 #include "cli/commands.h"
 #include "cli/diff_report.h"
+#include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/parse_values.h"
+#include "cli/warnings.h"
+#include "error.h"
 #include "image/color_image.h"
 #include "image/read_image.h"
 #include "image/whole_file.h"
@@ -22,20 +25,43 @@ struct DiffArguments {
   std::string map_file;
 };
 
+std::string size_text(const Image& image) {
+  return std::to_string(image.width) + "x" + std::to_string(image.height);
+}
+
+/// The colours of a file; tells where they were never finished.
+Image read_whole_image(const std::string& path) {
+  const ImageFile file = read_image(path);
+  const auto stopped = file.metadata.find("vernier:stopped_at");
+  if (stopped != file.metadata.end()) {
+    print_warnings({path + ": its render was stopped before its end, at " + stopped->second});
+  }
+  return color_image(file, path);
+}
+
 int run_diff(const DiffArguments& arguments) {
   const float exposure_ev = parse_exposure(arguments.exposure);
   check_text_output(arguments.json_file);
   if (!arguments.map_file.empty()) {
     check_image_output(arguments.map_file);
   }
-  const Image a = color_image(read_image(arguments.a), arguments.a);
-  const Image b = color_image(read_image(arguments.b), arguments.b);
+  const std::vector<NamedFile> files = {{"A", arguments.a, true},
+                                        {"B", arguments.b, true},
+                                        {"--map", arguments.map_file},
+                                        {"--json", arguments.json_file}};
+  check_distinct(files);
+  const Image a = read_whole_image(arguments.a);
+  const Image b = read_whole_image(arguments.b);
+  if (a.width != b.width || a.height != b.height) {
+    throw Error(ErrorKind::usage,
+                arguments.b + ": is of " + size_text(b) + " pixels, " + arguments.a + " of " + size_text(a));
+  }
   const DiffReport report{arguments.a, arguments.b, compare_images(a, b), flip(b, a, exposure_ev)};
   if (!arguments.map_file.empty()) {
     write_image(arguments.map_file, flip_map_image(report.flip), DisplayTransform{});
   }
   if (!arguments.json_file.empty()) {
-    write_text(arguments.json_file, diff_json(report).dump(2) + "\n");
+    write_text(arguments.json_file, json_text(diff_json(report)));
   }
   std::fputs(diff_table(report).c_str(), stdout);
   return 0;

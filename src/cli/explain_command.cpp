@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/effect_table.h"
 #include "cli/interrupt.h"
+#include "cli/json_text.h"
 #include "cli/ledger_table.h"
 #include "cli/output_file.h"
 #include "cli/progress_bar.h"
@@ -90,7 +91,7 @@ int run_explain(const ExplainArguments& arguments) {
   print_warnings(setup.scene.warnings);
   Explanation explanation = planned(setup, settings);
   const std::optional<Error> missing = measure_if_possible(setup, arguments, explanation);
-  if (!arguments.json_file.empty()) write_text(arguments.json_file, explain_json(explanation).dump(2) + "\n");
+  if (!arguments.json_file.empty()) write_text(arguments.json_file, json_text(explain_json(explanation)));
   const bool measured = !explanation.device.empty();
   std::fputs((measured ? ledger_table(explanation) : effect_table(explanation.plan)).c_str(), stdout);
   std::fflush(stdout);
@@ -114,6 +115,7 @@ void add_explain_command(CLI::App& app, Command& chosen) {
   add_path_options(command, arguments->render);
   add_accuracy_option(command, arguments->render.accuracy);
   add_effects_option(command, arguments->render.effects);
+  add_dispatch_options(command, arguments->render);
   add_scene_options(command, arguments->scene);
   command
       .add_option("--device", arguments->device, "index or part of the name, see vernier devices (default: the best)")

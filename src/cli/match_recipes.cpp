@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "cli/json_text.h"
 #include "cli/read_recipe.h"
 #include "error.h"
 
@@ -22,6 +23,7 @@ constexpr std::array kFields = {
     Field{"vernier:device", "device", "; another device may give other bits"},
     Field{"vernier:driver", "driver", "; another driver may give other bits"},
     Field{"vernier:spirv_hash", "hash of the shaders", ""},
+    Field{"vernier:exposure", "--exposure", ""},
 };
 
 std::string value_of(const Metadata& metadata, const char* name) {
@@ -32,7 +34,7 @@ std::string value_of(const Metadata& metadata, const char* name) {
 std::string text_of(const nlohmann::ordered_json& options, const std::string& name) {
   const auto option = options.find(name);
   if (option == options.end()) return "";
-  return option->is_string() ? option->get<std::string>() : option->dump();
+  return option->is_string() ? option->get<std::string>() : json_line(*option);
 }
 
 std::string quoted(const std::string& text) {

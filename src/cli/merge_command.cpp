@@ -4,8 +4,10 @@
 
 #include "cli/commands.h"
 #include "cli/cost_legend.h"
+#include "cli/json_text.h"
 #include "cli/match_recipes.h"
 #include "cli/output_file.h"
+#include "cli/parse_values.h"
 #include "cli/read_recipe.h"
 #include "cli/render_options.h"
 #include "error.h"
@@ -20,6 +22,7 @@ namespace {
 struct MergeArguments {
   std::vector<std::string> parts;
   std::string output;
+  bool quiet = false;
 };
 
 /// An EXR file with what its recipe says of its samples.
@@ -42,7 +45,7 @@ std::map<std::string, std::string> whole_recipe(const ImagePart& part) {
   nlohmann::ordered_json options = read_options(part.name, metadata);
   options.erase("crop");
   options.erase("sample-range");
-  metadata["vernier:options"] = options.dump();
+  metadata["vernier:options"] = json_line(options);
   metadata.erase("vernier:cost_legend");
   metadata.try_emplace("vernier:scene", "");  // not kept where empty
   return metadata;
@@ -56,13 +59,14 @@ int run_merge(const MergeArguments& arguments) {
     match_recipes(parts.front().name, parts.front().image.metadata, file, parts.back().image.metadata,
                   {"crop", "sample-range"});
   }
-  const RenderSettings settings =
-      parse_render_settings(read_recipe(parts.front().name, parts.front().image.metadata).render);
+  const RenderCommandArguments recipe = read_recipe(parts.front().name, parts.front().image.metadata);
+  const RenderSettings settings = parse_render_settings(recipe.render);
   ImageFile image = merge_parts(parts, settings.spp, settings.aovs);
   image.metadata = whole_recipe(parts.front());
   const std::string legend = cost_legend(image);
   if (!legend.empty()) image.metadata["vernier:cost_legend"] = legend;
-  write_image(arguments.output, image, DisplayTransform{});
+  write_image(arguments.output, image, {parse_exposure(recipe.exposure)});
+  if (arguments.quiet) return 0;
   std::fprintf(stderr, "%s: %dx%d, %u samples, of %zu parts\n", arguments.output.c_str(), image.width, image.height,
                settings.spp, parts.size());
   return 0;
@@ -80,6 +84,7 @@ void add_merge_command(CLI::App& app, Command& chosen) {
   command.add_option("-o,--output", arguments->output, "image file: .exr, .png, .jpg, .hdr or .tif")
       ->type_name("FILE")
       ->required();
+  command.add_flag("--quiet", arguments->quiet, "no summary (default: off)");
   command.footer(
       "Example: vernier merge a0.exr a1.exr -o a.exr\n"
       "Parts: vernier render a.glb -o a0.exr --sample-range 0:8; vernier render a.glb -o a1.exr --sample-range 8:16");

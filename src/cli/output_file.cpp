@@ -2,15 +2,19 @@
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <map>
 
 #include "error.h"
 #include "image/file_format.h"
 
 namespace vernier {
 
+namespace fs = std::filesystem;
+
 std::string default_image_path(const std::string& scene) {
-  return scene.empty() ? "vernier.png" : std::filesystem::path(scene).stem().string() + ".png";
+  return scene.empty() ? "vernier.png" : fs::path(scene).stem().string() + ".png";
 }
 
 void check_text_output(const std::string& path) {
@@ -18,16 +22,41 @@ void check_text_output(const std::string& path) {
     return;
   }
   std::error_code failure;
-  const std::filesystem::path folder = std::filesystem::path(path).parent_path();
+  const fs::path folder = fs::path(path).parent_path();
   const std::string place = folder.empty() ? "." : folder.string();
-  if (!std::filesystem::is_directory(place, failure)) {
+  if (!fs::is_directory(place, failure)) {
     throw Error(ErrorKind::failed, path + ": there is no folder " + place);
   }
-  if (std::filesystem::is_directory(path, failure)) {
+  if (fs::is_directory(path, failure)) {
     throw Error(ErrorKind::failed, path + ": is a folder");
   }
-  if (access(place.c_str(), W_OK) != 0 && !std::filesystem::exists(path, failure)) {
+  // A new file is written beside it and then renamed.
+  const bool replaced = !fs::exists(path, failure) || fs::is_regular_file(path, failure);
+  if (replaced && access(place.c_str(), W_OK) != 0) {
     throw Error(ErrorKind::failed, path + ": the folder " + place + " may not be written");
+  }
+}
+
+void check_image_size(const std::string& path, int width, int height) {
+  const bool is_jpeg = file_format(path, ErrorKind::usage) == FileFormat::jpeg;
+  if (is_jpeg && std::max(width, height) > kMostJpegSide_px) {
+    throw Error(ErrorKind::usage,
+                path + ": a side of a JPEG has at most " + std::to_string(kMostJpegSide_px) + " pixels");
+  }
+}
+
+void check_distinct(std::span<const NamedFile> files) {
+  std::map<fs::path, const NamedFile*> seen;
+  for (const NamedFile& file : files) {
+    if (file.path.empty()) continue;
+    std::error_code failure;
+    const fs::path place = fs::weakly_canonical(fs::absolute(file.path, failure), failure);
+    // What is written to a device or a pipe replaces nothing.
+    if (failure || (fs::exists(place, failure) && !fs::is_regular_file(place, failure))) continue;
+    const auto [entry, is_new] = seen.try_emplace(place, &file);
+    if (is_new || (entry->second->is_read && file.is_read)) continue;
+    throw Error(ErrorKind::usage,
+                std::string(file.option) + ": it names the same file as " + entry->second->option + ", " + file.path);
   }
 }
 

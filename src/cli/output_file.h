@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 namespace vernier {
@@ -12,7 +13,20 @@ std::string default_image_path(const std::string& scene);
 /// and a folder that exists and may be written (Error(failed) otherwise). An existing file is fine.
 void check_image_output(const std::string& path);
 
-/// The same for a file of any extension; an empty path (not asked for) is fine.
+/// Throws Error(usage) where an image of `width` x `height` pixels cannot be written in the format of `path`.
+void check_image_size(const std::string& path, int width, int height);
+
+/// A file that a command line names.
+struct NamedFile {
+  const char* option;
+  std::string path;      ///< empty: none
+  bool is_read = false;  ///< else written
+};
+
+/// Throws Error(usage) where two of `files` are the same, links followed, and not both read: one would be lost.
+void check_distinct(std::span<const NamedFile> files);
+
+/// The same as check_image_output for a file of any extension; an empty path (not asked for) is fine.
 void check_text_output(const std::string& path);
 
 }  // namespace vernier

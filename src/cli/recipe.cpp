@@ -5,6 +5,7 @@
 #include <array>
 #include <fstream>
 
+#include "cli/json_text.h"
 #include "cli/version.h"
 #include "error.h"
 
@@ -90,11 +91,11 @@ std::map<std::string, std::string> scene_recipe(const SceneArguments& scene, std
   std::map<std::string, std::string> metadata;
   metadata["vernier:version"] = kVersion;
   metadata["vernier:scene"] = scene.scene;
-  metadata["vernier:options"] = recipe_options(scene, render).dump();
+  metadata["vernier:options"] = json_line(recipe_options(scene, render));
   if (!files.empty()) {
     const std::string of_all = sha1_of_files(files);
     metadata["vernier:scene_sha1"] = of_all;
-    metadata["vernier:files"] = sha1_by_path(files, of_all).dump();
+    metadata["vernier:files"] = json_line(sha1_by_path(files, of_all));
   }
   return metadata;
 }

@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 
@@ -63,6 +64,11 @@ int run_reference(const ReferenceArguments& arguments) {
   const SceneSettings scene_settings = parse_scene_settings(arguments.scene);
   const DisplayTransform display{parse_exposure(arguments.exposure)};
   check_image_output(arguments.output);
+  check_image_size(arguments.output, settings.width, settings.height);
+  const std::vector<NamedFile> files = {{"SCENE", scene_settings.scene, true},
+                                        {"--background", scene_settings.background_file, true},
+                                        {"--output", arguments.output}};
+  check_distinct(files);
   SceneSetup setup = set_up_scene(scene_settings, static_cast<double>(settings.width) / settings.height);
   // All instances are copied here, on purpose: nothing of the tracer's is shared.
   check_memory(setup.scene.source, need_of_copies(setup.scene, reference::kTriangleBytes), memory_there());
@@ -70,17 +76,22 @@ int run_reference(const ReferenceArguments& arguments) {
   set_texture_filters(setup.scene, arguments.render);
   print_warnings(setup.scene.warnings);
   ImageFile image;
+  double done = 0.0;
   {
     ProgressBar bar(arguments.quiet);
     const WorkClock clock;
     ReferenceCallbacks callbacks;
-    callbacks.progress = [&](double share) { bar.update(clock.at(share)); };
+    callbacks.progress = [&](double share) {
+      done = share;
+      bar.update(clock.at(share));
+    };
     callbacks.cancelled = interrupted;
     image = render_reference(setup.scene, setup.camera, settings, callbacks);
   }
   image.metadata.merge(reference_recipe(scene_recipe(arguments.scene, setup.scene.files, arguments.render)));
+  if (interrupted()) image.metadata["vernier:stopped_at"] = std::to_string(std::lround(done * 100.0)) + " %";
   write_image(arguments.output, image, display);
-  if (!arguments.quiet) {
+  if (!arguments.quiet && !interrupted()) {
     std::fprintf(stderr, "%s: %dx%d, %u spp, double precision\n", arguments.output.c_str(), settings.width,
                  settings.height, settings.spp);
   }

@@ -8,6 +8,7 @@
 #include "cli/cost_legend.h"
 #include "cli/exposure_hint.h"
 #include "cli/interrupt.h"
+#include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/parse_values.h"
 #include "cli/render_report.h"
@@ -15,8 +16,11 @@
 #include "cli/sample_command.h"
 #include "error.h"
 #include "image/file_format.h"
+#include "image/read_image.h"
 #include "image/whole_file.h"
 #include "image/write_image.h"
+#include "render/render_image.h"
+#include "shared/film_layout.h"
 
 namespace vernier {
 namespace {
@@ -37,6 +41,14 @@ void print_summary(const RenderPlan& plan, const RenderReport& report, const Ima
   }
 }
 
+// Nothing takes the place of an older picture.
+void check_not_empty(const RenderReport& report, const RenderPlan& plan) {
+  if (report.statistics.mean_samples > 0.0) return;
+  throw Error(ErrorKind::failed, plan.output + ": " + (interrupted() ? "interrupted" : "--time-limit ended it") +
+                                     " before the first sample, nothing is written" +
+                                     resume_hint(plan, report.device.name));
+}
+
 // What makes a render that was written a failed one.
 void check_outcome(const RenderReport& report, const RenderPlan& plan) {
   const RenderStatistics& statistics = report.statistics;
@@ -53,9 +65,10 @@ void check_outcome(const RenderReport& report, const RenderPlan& plan) {
 int run_render(const RenderPlan& plan) {
   catch_interrupt();
   const RenderedImage rendered = render_planned(plan);
+  check_not_empty(rendered.report, plan);
   write_image(plan.output, rendered.image, plan.display);
   if (!plan.json_file.empty()) {
-    write_text(plan.json_file, render_json(rendered.report).dump(2) + "\n");
+    write_text(plan.json_file, json_text(render_json(rendered.report)));
   }
   print_summary(plan, rendered.report, rendered.image);
   check_outcome(rendered.report, plan);
@@ -69,15 +82,37 @@ void check_checkpoint_output(const RenderPlan& plan) {
                 "more of them pay");
   }
   check_text_output(plan.checkpoint);
-  if (!plan.checkpoint.empty() && plan.checkpoint == plan.output) {
-    throw Error(ErrorKind::usage, "--checkpoint: it names the image file " + plan.output);
+}
+
+/// That no output takes the place of another or of what is read.
+void check_files(const RenderPlan& plan) {
+  std::vector<NamedFile> files = {{"SCENE", plan.scene.scene, true},
+                                  {"--background", plan.scene.background_file, true},
+                                  {"--output", plan.output},
+                                  {"--json", plan.json_file}};
+  if (file_format(plan.output, ErrorKind::usage) != FileFormat::exr) {
+    for (const std::string& aov : plan.settings.aovs) files.push_back({"--aov", layer_path(plan.output, aov)});
   }
+  // One checkpoint may be both.
+  files.push_back({"--checkpoint", plan.checkpoint});
+  check_distinct(files);
+  files.back() = {"--resume", plan.resume, true};
+  check_distinct(files);
 }
 
 /// Whether the image is a part of the samples that can be merged.
 bool is_sample_part(const RenderPlan& plan) {
   const bool whole = plan.settings.sample_begin == 0 && plan.settings.sample_end == plan.settings.spp;
   return !whole && file_format(plan.output, ErrorKind::usage) == FileFormat::exr;
+}
+
+/// A part that could not be read again could not be merged.
+void check_part_size(const PixelRect& area) {
+  constexpr std::int64_t kValues = 4 + FILM_WORDS;  // of a pixel, colour and sums
+  if (std::int64_t{area.width} * area.height > kMostImageValues / kValues) {
+    throw Error(ErrorKind::usage, "--sample-range: a part of more than " + std::to_string(kMostImageValues / kValues) +
+                                      " pixels is too large a file to be merged; render it in parts with --crop");
+  }
 }
 
 }  // namespace
@@ -102,8 +137,12 @@ RenderPlan plan_render(const RenderCommandArguments& arguments) {
   plan.verbose = arguments.verbose;
   check_image_output(plan.output);
   check_text_output(plan.json_file);
+  const PixelRect area = image_area(plan.settings);
+  check_image_size(plan.output, area.width, area.height);
   check_checkpoint_output(plan);
+  check_files(plan);
   plan.settings.film_layer = is_sample_part(plan);
+  if (plan.settings.film_layer) check_part_size(area);
   return plan;
 }
 

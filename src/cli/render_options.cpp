@@ -204,7 +204,7 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
   add_bvh_option(app, arguments.bvh);
   add_dispatch_options(app, arguments);
   app.add_option("--time-limit", arguments.time_limit,
-                 "stop after S seconds with the samples done by then (default: none)")
+                 "stop after S seconds of tracing with the samples done by then (default: none)")
       ->type_name("S");
   app.add_option(
          "--error-target", arguments.error_target,

@@ -89,13 +89,8 @@ RenderResult render_with_progress(const Device& device, const SceneSetup& setup,
 std::map<std::string, std::string> describe_image(const RenderPlan& plan, const ImageFile& image,
                                                   const RenderStatistics& statistics,
                                                   std::map<std::string, std::string> recipe) {
-  const std::uint32_t samples = plan.settings.sample_end - plan.settings.sample_begin;
   if (statistics.error) recipe["vernier:error_estimate"] = error_text(*statistics.error);
-  const bool reached =
-      plan.settings.error_target && statistics.error && statistics.error->bound() <= *plan.settings.error_target;
-  if (!reached && statistics.samples_done < samples) {
-    recipe["vernier:stopped_at"] = std::to_string(statistics.samples_done);
-  }
+  if (statistics.stopped) recipe["vernier:stopped_at"] = std::to_string(statistics.samples_done);
   if (plan.display.exposure_ev != 0.0f) recipe["vernier:exposure"] = plan.exposure;
   const std::string legend = cost_legend(image);
   if (!legend.empty()) recipe["vernier:cost_legend"] = legend;
@@ -119,6 +114,7 @@ RenderedImage render_planned(RenderPlan plan) {
   if (resumed) match_recipes("this render", recipe, plan.resume, resumed->recipe, {});
   const MemoryNeed memory = memory_need(setup.scene, driver_traces ? Sharing::never : plan.settings.sharing);
   check_and_tell(setup.scene.source, memory, memory_there(description), plan.quiet);
+  check_image_memory(memory, image_need(plan.settings), memory_there(description));
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
   RenderResult result = render_with_progress(device.device(), setup, plan, recipe, resumed ? &*resumed : nullptr);
   print_warnings(result.statistics.warnings);

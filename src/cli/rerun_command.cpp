@@ -45,21 +45,14 @@ class ScratchFolder {
   fs::path path_;
 };
 
-/// The layer that `file` alone holds, by its name NAME.LAYER.EXT; empty for the colours, and in EXR.
-std::string layer_of_file(const fs::path& file, const RenderPlan& plan) {
-  const std::string extension = file.stem().extension().string();
-  for (const std::string& aov : plan.settings.aovs) {
-    if (extension == "." + aov && file.extension() != ".exr") return aov;
-  }
-  return "";
-}
-
-/// `image` as it comes back from a file like `file`: what was rounded there is rounded here.
-ImageFile through_file(const std::string& file, const RenderPlan& plan, const ImageFile& image) {
+/// `image` as it comes back from a file like `file`, which holds `layer` alone where that has a name: what was rounded
+/// there is rounded here.
+ImageFile through_file(const std::string& file, const std::string& layer, const RenderPlan& plan,
+                       const ImageFile& image) {
   const ScratchFolder folder;
   const std::string copy = (folder.path() / ("again" + fs::path(file).extension().string())).string();
   write_image(copy, image, plan.display);
-  return read_image(layer_path(copy, layer_of_file(file, plan)));
+  return read_image(layer_path(copy, layer));
 }
 
 /// Tells of what else may be the reason for other bits.
@@ -85,7 +78,10 @@ int run_rerun(const RerunArguments& arguments) {
   if (interrupted()) throw Error(ErrorKind::failed, arguments.image + ": interrupted before it was compared");
   warn_of_other_maker(original, again.image);
 
-  const std::vector<std::string> lines = layer_differences(original, through_file(arguments.image, plan, again.image));
+  const auto layer = original.metadata.find("vernier:layer");
+  const std::string layer_name = layer == original.metadata.end() ? "" : layer->second;
+  const std::vector<std::string> lines =
+      layer_differences(original, through_file(arguments.image, layer_name, plan, again.image));
   if (lines.empty()) {
     std::printf("%s: the same bits again, %dx%d pixels, %zu %s\n", arguments.image.c_str(), original.width,
                 original.height, original.layers.size(), original.layers.size() == 1 ? "layer" : "layers");

@@ -20,13 +20,19 @@ int say(ErrorKind kind, const std::string& line) {
 int run_command_line(CLI::App& app, const Command& chosen, int argc, char** argv) {
   try {
     app.parse(argc, argv);
-    return chosen();
+    const int code = chosen();
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+      throw Error(ErrorKind::failed, "the standard output cannot be written");
+    }
+    return code;
   } catch (const CLI::Success& help_or_version) {
     return app.exit(help_or_version);
   } catch (const CLI::ParseError& error) {
     const std::vector<CLI::App*> command = app.get_subcommands();
     const std::string name = command.empty() ? "vernier" : "vernier " + command.front()->get_name();
-    return say(ErrorKind::usage, std::string(error.what()) + "; see " + name + " --help");
+    const bool is_unknown = command.empty() && argc > 1 && argv[1][0] != '-';
+    const std::string what = is_unknown ? "there is no command `" + std::string(argv[1]) + "`" : error.what();
+    return say(ErrorKind::usage, what + "; see " + name + " --help");
   } catch (const Error& error) {
     return say(error.kind(), error.what());
   } catch (const std::bad_alloc&) {

@@ -1,11 +1,15 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
+#include <span>
 
 #include "cli/commands.h"
+#include "cli/interrupt.h"
+#include "cli/json_text.h"
 #include "cli/output_file.h"
+#include "cli/parse_values.h"
 #include "cli/render_options.h"
 #include "cli/scene_setup.h"
 #include "error.h"
@@ -19,11 +23,11 @@ namespace vernier {
 namespace {
 
 struct VerifyArguments {
-  std::uint64_t rays = 1u << 16;
+  std::string rays = "65536";
   std::string level = "robust";
   std::string case_name;
-  std::uint64_t seed = 0;
-  std::optional<std::uint64_t> sample;
+  std::string seed = "0";
+  std::string sample;
   std::string mutation;
   std::string json_file;
   std::string device;
@@ -49,14 +53,14 @@ void set_level(CaseSetup& setup, const std::string& level) {
 CaseSetup case_setup(const VerifyArguments& arguments) {
   CaseSetup setup;
   set_level(setup, arguments.level);
-  setup.seed = arguments.seed;
+  constexpr std::uint32_t kMost = std::numeric_limits<std::uint32_t>::max();
+  setup.seed = parse_count("--seed", arguments.seed, 0, kMost);
   setup.traversal = parse_traversal(arguments.traversal);
-  setup.sample_count = arguments.rays;
-  if (arguments.rays == 0) throw Error(ErrorKind::usage, "--rays: at least one is needed");
-  if (arguments.sample) {
+  setup.sample_count = parse_count("--rays", arguments.rays, 1, kMost);
+  if (!arguments.sample.empty()) {
     if (arguments.case_name.empty()) throw Error(ErrorKind::usage, "--sample: say which --case it is of");
     // A sample is a function of seed, case and number: it comes again as the last of that many.
-    setup.sample_count = *arguments.sample + 1;
+    setup.sample_count = parse_count("--sample", arguments.sample, 0, kMost - 1) + 1;
   }
   return setup;
 }
@@ -92,7 +96,7 @@ void say(const std::string& text) {
 }
 
 void write_json(const std::string& file, const nlohmann::json& json) {
-  if (!file.empty()) write_text(file, json.dump(2) + "\n");
+  if (!file.empty()) write_text(file, json_text(json));
 }
 
 /// Runs `cases` one after the other and tells of each. True when all held.
@@ -105,6 +109,7 @@ bool run_suite(const VerifyArguments& arguments, const CaseSetup& setup, const D
   std::vector<CaseReport> reports;
   say(case_table_head());
   for (const VerifyCase* one : cases) {
+    if (interrupted()) break;
     reports.push_back(run_case(*one, setup));
     say(case_line(reports.back()));
     if (!reports.back().held) say(failure_text(reports.back(), setup, again));
@@ -112,7 +117,7 @@ bool run_suite(const VerifyArguments& arguments, const CaseSetup& setup, const D
   }
   say(leak_line(count_leaks(reports)));
   std::vector<LevelCost> costs;
-  if (arguments.case_name.empty() && arguments.with_costs) {
+  if (arguments.case_name.empty() && arguments.with_costs && !interrupted()) {
     const SceneSetup builtin = set_up_scene({}, 16.0 / 9.0);
     costs = measure_level_costs(*setup.device, builtin.scene, builtin.camera, {});
     say(level_cost_table(costs));
@@ -123,15 +128,16 @@ bool run_suite(const VerifyArguments& arguments, const CaseSetup& setup, const D
 
 /// Seeds the faults one after the other and tells who notices. True when all were caught.
 bool run_mutations(const VerifyArguments& arguments, const CaseSetup& setup, const DeviceReport& device,
-                   const std::vector<Mutation>& faults) {
+                   std::span<const Mutation> faults) {
   bool caught = true;
   std::vector<std::vector<CaseReport>> reports;
   for (const Mutation& fault : faults) {
+    if (interrupted()) break;
     reports.push_back(run_mutation(fault, setup));
     say(mutation_line(fault, reports.back()));
     caught = caught && is_caught(reports.back());
   }
-  write_json(arguments.json_file, mutations_json(device, setup, faults, reports));
+  write_json(arguments.json_file, mutations_json(device, setup, faults.first(reports.size()), reports));
   return caught;
 }
 
@@ -144,12 +150,14 @@ int run_verify(const VerifyArguments& arguments) {
   const DeviceDescription description = choose_device(list_devices(instance), arguments.device);
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
   setup.device = &device.device();
+  catch_interrupt();
   require_loads(description, choose_scene_loads(description, setup.traversal));
   const DeviceReport report{description, probe_device(device.device()), ""};
   say(describe_devices({&report, 1}) + "\n");
   const bool good =
       faults.empty() ? run_suite(arguments, setup, report, cases) : run_mutations(arguments, setup, report, faults);
   device.store();
+  if (interrupted()) throw Error(ErrorKind::failed, "interrupted; what was done by then is told");
   return good ? 0 : static_cast<int>(ErrorKind::failed);
 }
 
@@ -163,7 +171,7 @@ void add_verify_command(CLI::App& app, Command& chosen) {
       "when every target of the level is met, or when every seeded fault was caught; else 1.");
   command.add_option("--rays", arguments->rays, "samples per case (default: 65536)")->type_name("N");
   command
-      .add_option("--level", arguments->level,
+      .add_option("--level,--accuracy", arguments->level,
                   "numeric level: fast (shown, no targets), robust or exact (default: robust)")
       ->type_name("fast|robust|exact");
   command.add_option("--case", arguments->case_name, "one case by its name (default: all)")->type_name("NAME");

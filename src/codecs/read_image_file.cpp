@@ -5,6 +5,7 @@
 #include <memory>
 #include <new>
 
+#include "codecs/codec_name.h"
 #include "codecs/file_layers.h"
 #include "codecs/pixel_rows.h"
 #include "error.h"

@@ -5,6 +5,7 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include "error.h"
@@ -54,6 +55,13 @@ std::array<int, 4> channel_order(int count) {
   }
 }
 
+// Readers claim success for rows that are cut off (TIFF, JPEG), but note a fault. Of JPEG they note stray bytes too,
+// which take nothing away.
+bool loses_rows(const OIIO::ImageInput& input, const std::string& fault) {
+  if (std::string_view(input.format_name()) == "jpeg") return fault.find("Premature end") != std::string::npos;
+  return !fault.empty();
+}
+
 // Read in bands: the only large allocation is the result, whose size has been checked. A tiled image (EXR, TIFF) is
 // read a row of tiles at a time.
 template <typename T, typename StoreTexel>
@@ -63,13 +71,15 @@ void read_bands(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std:
   const int band_rows =
       spec.tile_width > 0 ? std::clamp(spec.tile_height, 1, spec.height) : std::min(kBandRows, spec.height);
   std::vector<T> band(std::size_t(spec.width) * std::size_t(band_rows) * channels);
+  input.geterror();  // what was said before is about other things
   for (int row = 0; row < spec.height; row += band_rows) {
     const int end = std::min(row + band_rows, spec.height);
     const bool ok = spec.tile_width > 0 ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + row,
                                                            spec.y + end, 0, 1, 0, int(channels), type, band.data())
                                         : input.read_scanlines(0, 0, spec.y + row, spec.y + end, 0, 0, int(channels),
                                                                type, band.data());
-    if (!ok) refuse(name, "the image cannot be read: " + one_line(input.geterror()));
+    const std::string fault = input.geterror();
+    if (!ok || loses_rows(input, fault)) refuse(name, "the image cannot be read: " + one_line(fault));
     const std::size_t first = std::size_t(row) * std::size_t(spec.width);
     const std::size_t count = std::size_t(end - row) * std::size_t(spec.width);
     for (std::size_t i = 0; i < count; ++i) store(first + i, band.data() + i * channels);

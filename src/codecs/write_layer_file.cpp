@@ -1,17 +1,22 @@
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
 #include "codecs/write_pixels.h"
+#include "error.h"
 #include "image/file_metadata.h"
 #include "image/image_codecs.h"
 
 namespace vernier {
 namespace {
 
-OIIO::ImageSpec single_layer_spec(const ImageFile& image, FileFormat format, int channel_count, OIIO::TypeDesc type) {
+OIIO::ImageSpec single_layer_spec(const ImageFile& image, const Layer& layer, FileFormat format, int channel_count,
+                                  OIIO::TypeDesc type) {
   OIIO::ImageSpec spec(image.width, image.height, channel_count, type);
   spec.attribute("Software", "Vernier");
-  const std::string text = text_of_metadata(image.metadata);
+  std::map<std::string, std::string> metadata = image.metadata;
+  if (!layer.name.empty()) metadata["vernier:layer"] = layer.name;
+  const std::string text = text_of_metadata(metadata);
   // A JPEG segment ends at 65533 bytes, and the writer stores the text in two of them with headers.
   constexpr std::size_t kMostJpegText = 60000;
   if (!text.empty() && (format != FileFormat::jpeg || text.size() <= kMostJpegText))
@@ -24,7 +29,7 @@ void write_tiff(const std::string& path, const ImageFile& image, const Layer& la
   std::visit(
       [&](const auto& values) {
         using Value = typename std::decay_t<decltype(values)>::value_type;
-        OIIO::ImageSpec spec = single_layer_spec(image, FileFormat::tiff, static_cast<int>(channel_count),
+        OIIO::ImageSpec spec = single_layer_spec(image, layer, FileFormat::tiff, static_cast<int>(channel_count),
                                                  OIIO::BaseTypeFromC<Value>::value);
         spec.attribute("compression", "zip");
         spec.alpha_channel = channel_count == 4 && layer.channels[3] == "A" ? 3 : -1;
@@ -39,7 +44,7 @@ void write_tiff(const std::string& path, const ImageFile& image, const Layer& la
 void write_hdr(const std::string& path, const ImageFile& image, const Layer& layer) {
   const Image picture = unsigned_picture(layer, image.width, image.height);
   const std::size_t row_size = static_cast<std::size_t>(image.width) * 3;
-  const OIIO::ImageSpec spec = single_layer_spec(image, FileFormat::hdr, 3, OIIO::TypeDesc::FLOAT);
+  const OIIO::ImageSpec spec = single_layer_spec(image, layer, FileFormat::hdr, 3, OIIO::TypeDesc::FLOAT);
   write_pixels(path, FileFormat::hdr, spec, [&](int begin, int end, std::byte* bytes) {
     std::memcpy(bytes, picture.values.data() + begin * row_size, (end - begin) * row_size * sizeof(float));
   });
@@ -49,7 +54,11 @@ void write_8_bit(const std::string& path, FileFormat format, const ImageFile& im
                  const DisplayTransform& display) {
   const Image picture = display_picture(layer, image.width, image.height, display);
   const std::size_t row_size = static_cast<std::size_t>(image.width) * 3;
-  OIIO::ImageSpec spec = single_layer_spec(image, format, 3, OIIO::TypeDesc::UINT8);
+  // The library would end the process.
+  if (format == FileFormat::jpeg && std::max(image.width, image.height) > kMostJpegSide_px)
+    throw Error(ErrorKind::failed,
+                path + ": cannot write: a side of a JPEG has at most " + std::to_string(kMostJpegSide_px) + " pixels");
+  OIIO::ImageSpec spec = single_layer_spec(image, layer, format, 3, OIIO::TypeDesc::UINT8);
   spec.attribute("oiio:ColorSpace", "sRGB");
   if (format == FileFormat::jpeg) {
     spec.attribute("compression", "jpeg:95");

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "codecs/checked_file.h"
+#include "codecs/codec_name.h"
 #include "error.h"
 #include "image/whole_file.h"
 

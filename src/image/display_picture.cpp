@@ -156,7 +156,7 @@ LayerMeaning layer_meaning(const Layer& layer) {
   if (layer.channels.size() == 1 && layer.channels[0] == "Z") return LayerMeaning::depth;
   if (has_channels(layer, {"U", "V"})) return LayerMeaning::uv;
   if (has_channels(layer, {"ID"})) return LayerMeaning::id;
-  if (has_channels(layer, {"rays", "nodes", "triangles"})) return LayerMeaning::cost;
+  if (layer.name == "cost" && has_channels(layer, {"rays", "nodes", "triangles"})) return LayerMeaning::cost;
   return LayerMeaning::amount;
 }
 

@@ -18,20 +18,4 @@ FileFormat file_format(const std::string& path, ErrorKind kind_if_unknown) {
   throw Error(kind_if_unknown, path + ": unknown image format; possible are .exr .png .jpg .jpeg .hdr .tif .tiff");
 }
 
-const char* codec_name(FileFormat format) {
-  switch (format) {
-    case FileFormat::exr:
-      return "openexr";
-    case FileFormat::png:
-      return "png";
-    case FileFormat::jpeg:
-      return "jpeg";
-    case FileFormat::hdr:
-      return "hdr";
-    case FileFormat::tiff:
-      return "tiff";
-  }
-  return "";
-}
-
 }  // namespace vernier

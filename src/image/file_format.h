@@ -9,11 +9,11 @@ namespace vernier {
 /// The image formats that are read and written.
 enum class FileFormat { exr, png, jpeg, hdr, tiff };
 
+/// Longest side of an image that the format JPEG is written for, that of libjpeg.
+inline constexpr int kMostJpegSide_px = 65500;
+
 /// Format that the extension of `path` names: .exr, .png, .jpg or .jpeg, .hdr, .tif or .tiff, in any case of letters.
 /// Throws Error(`kind_if_unknown`) with the list of extensions for every other one and for none.
 FileFormat file_format(const std::string& path, ErrorKind kind_if_unknown);
-
-/// Name by which OpenImageIO creates the reader or writer of `format`.
-const char* codec_name(FileFormat format);
 
 }  // namespace vernier

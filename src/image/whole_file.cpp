@@ -86,6 +86,11 @@ void write_whole(const std::string& path, const std::function<void(const std::st
 }
 
 void write_text(const std::string& path, std::string_view text) {
+  // It may be a file that already holds what was printed, which another in its place would lose.
+  if (path == "/dev/stdout") {
+    if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size()) fail(path, reason_of(errno));
+    return;
+  }
   write_whole(path, [&](const std::string& name) {
     std::FILE* file = std::fopen(name.c_str(), "wb");
     if (!file) fail(path, reason_of(errno));

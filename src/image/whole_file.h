@@ -15,7 +15,7 @@ namespace vernier {
 void write_whole(const std::string& path, const std::function<void(const std::string& file)>& write);
 
 /// Writes `text` byte for byte as the file `path`, whole or not at all, as write_whole does. An empty text makes an
-/// empty file.
+/// empty file. `/dev/stdout` is the standard output.
 void write_text(const std::string& path, std::string_view text);
 
 }  // namespace vernier

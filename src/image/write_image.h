@@ -15,7 +15,8 @@ namespace vernier {
 /// The others get the layer without a name as `path` and each further layer as a file of its own, layer_path:
 /// TIFF: raw float32 or uint32 with all channels, NaN and infinity kept; zip. HDR: linear RGB of unsigned_picture,
 /// 8 bits of mantissa shared by the channels. PNG and JPEG (quality 95, full chroma): display_picture, 8 bits rounded
-/// to nearest. They do not hold the crop. Metadata are text_of_metadata as the image description; HDR holds none, nor
+/// to nearest. They do not hold the crop. Metadata are text_of_metadata as the image description, with the
+/// name of the layer, where it has one, as `vernier:layer`; HDR holds none, nor
 /// does JPEG beyond 60000 bytes.
 ///
 /// Equal arguments make equal bytes. Each file is written whole or not at all; where a later one fails, earlier ones

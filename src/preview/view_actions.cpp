@@ -220,6 +220,7 @@ void ViewWindow::save() {
   if (wants_geometry(session_->settings())) session_->trace_geometry();
   RenderStatistics statistics;
   ImageFile image = read_film(stage_.device(), session_->film(), session_->settings(), statistics);
+  statistics.stopped = !session_->is_complete();
   plan_.save({state_.save_path, std::move(image), std::move(statistics), session_->viewed(), words_,
               session_->settings(), state_.display.exposure_ev, stage_.device().description()});
   state_.message.clear();

@@ -8,7 +8,10 @@
 #include "bvh/bvh.h"
 #include "error.h"
 #include "render/bake_instances.h"
+#include "render/film.h"
 #include "render/plan_instances.h"
+#include "render/read_film.h"
+#include "shared/film_layout.h"
 #include "shared/instance_layout.h"
 
 namespace vernier {
@@ -25,6 +28,9 @@ constexpr std::uint64_t kListedBytes = 8;
 constexpr std::uint64_t kObjectBytes = 4;
 /// Of an attribute of a vertex.
 constexpr std::uint64_t kTexelBytes = 16;
+
+/// Of a pixel that is developed: colour 16, samples 4, and as much for what the film tells besides.
+constexpr std::uint64_t kDevelopedBytes = 40;
 
 /// Most nodes have four children, so that there are four for ten triangles: half as many are not met.
 std::uint64_t most_record_bytes(std::uint64_t triangles) {
@@ -84,6 +90,13 @@ void check(const std::string& source, const MemoryNeed& need, std::uint64_t need
                                       " are there; simplify or split the model");
 }
 
+void check_image(std::uint64_t scene, std::uint64_t image, std::optional<std::uint64_t> there, const char* whose) {
+  if (!there || scene + image <= *there) return;
+  throw Error(ErrorKind::usage, "--size: so many pixels need " + needed_text(image) + " of the " + whose +
+                                    "'s memory beside the scene's " + needed_text(scene) + ", " + there_text(*there) +
+                                    " are there; render it in parts with --crop");
+}
+
 }  // namespace
 
 MemoryNeed memory_need(const Scene& scene, Sharing sharing) {
@@ -115,6 +128,18 @@ MemoryNeed need_of_copies(const Scene& scene, std::uint64_t bytes_per_triangle) 
   return need;
 }
 
+MemoryNeed image_need(const RenderSettings& settings) {
+  const PixelRect area = image_area(settings);
+  const std::uint64_t pixels = static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(area.height);
+  const std::uint64_t sums = pixels * FILM_WORDS * sizeof(std::uint32_t);
+  const std::uint64_t geometry = wants_geometry(settings) ? Film::aov_bytes(area) : 0;
+  MemoryNeed need;
+  need.device_bytes = sums + geometry;
+  // Sums and layers as they are read, twice where they become layers of the image.
+  need.host_bytes = (settings.film_layer ? 2 : 1) * sums + 2 * geometry + pixels * kDevelopedBytes;
+  return need;
+}
+
 MemoryThere memory_there() {
   MemoryThere there;
   there.host_bytes = read_bytes("/proc/meminfo", "MemAvailable:", 1024);
@@ -138,6 +163,12 @@ MemoryThere memory_there(const DeviceDescription& device) {
 void check_memory(const std::string& source, const MemoryNeed& need, const MemoryThere& there) {
   check(source, need, need.device_bytes, there.device_bytes, "device");
   check(source, need, of_host(need, there), there.host_bytes, "host");
+}
+
+void check_image_memory(const MemoryNeed& scene, const MemoryNeed& image, const MemoryThere& there) {
+  check_image(scene.device_bytes, image.device_bytes, there.device_bytes, "device");
+  // What the host needed to build the tree is free again by then.
+  check_image(there.shared ? scene.device_bytes : 0, of_host(image, there), there.host_bytes, "host");
 }
 
 std::string memory_text(const MemoryNeed& need, const MemoryThere& there) {

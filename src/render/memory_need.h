@@ -10,7 +10,7 @@
 
 namespace vernier {
 
-/// Memory that a scene will take beyond what it takes as loaded; a render's film is not in it.
+/// Memory that a scene will take beyond what it takes as loaded, or an image.
 struct MemoryNeed {
   std::uint64_t triangles = 0;         ///< of all instances
   std::uint64_t stored_triangles = 0;  ///< of meshes that instances share once (plan_instances.h)
@@ -28,6 +28,9 @@ struct MemoryThere {
 /// Of `scene`, by its counts and by what plan_instances makes of its instances.
 MemoryNeed memory_need(const Scene& scene, Sharing sharing = Sharing::automatic);
 
+/// Of the film of an image of `settings`, and on the host of the image that is made of it.
+MemoryNeed image_need(const RenderSettings& settings);
+
 /// Of a renderer on the host that copies every instance and keeps so many bytes for each of their triangles.
 MemoryNeed need_of_copies(const Scene& scene, std::uint64_t bytes_per_triangle);
 
@@ -39,6 +42,9 @@ MemoryThere memory_there(const DeviceDescription& device);
 
 /// Throws Error(refused) for the scene file `source` where `need` is more than what is `there`, with both numbers.
 void check_memory(const std::string& source, const MemoryNeed& need, const MemoryThere& there);
+
+/// Throws Error(usage) where what `image` needs beside a scene that needs `scene` is more than what is `there`.
+void check_image_memory(const MemoryNeed& scene, const MemoryNeed& image, const MemoryThere& there);
 
 /// One line: bytes needed and bytes there.
 std::string memory_text(const MemoryNeed& need, const MemoryThere& there);

@@ -211,7 +211,7 @@ void paste(const ImagePart& part, Canvas& canvas) {
 }
 
 /// Replaces what comes from the sums where they were added up: one part's own mean says nothing.
-void develop_sums(const std::vector<std::string>& aovs, Canvas& canvas) {
+void develop_sums(const ImagePart& first, const std::vector<std::string>& aovs, Canvas& canvas) {
   DevelopedFilm developed = develop(canvas.sums, {0, 0, canvas.image.width, canvas.image.height});
   std::vector<std::string> summed;
   std::ranges::copy_if(aovs, std::back_inserter(summed),
@@ -221,6 +221,7 @@ void develop_sums(const std::vector<std::string>& aovs, Canvas& canvas) {
   for (Layer& target : canvas.image.layers) {
     const auto source = std::ranges::find(layers, target.name, &Layer::name);
     if (source == layers.end()) continue;
+    if (!same_shape(*source, target)) refuse(first.name, title_of(target.name) + " are not as a render writes them");
     copy_layer(*source, target, [&](auto copy) {
       for (std::size_t pixel = 0; pixel < developed.sample_count.size(); ++pixel) {
         if (developed.sample_count[pixel] > 0) copy(pixel, pixel);
@@ -242,7 +243,7 @@ ImageFile merge_parts(const std::vector<ImagePart>& parts, std::uint32_t spp, co
     paste(part, canvas);
     if (!has_all_samples(part, spp)) add_film(part, canvas);
   }
-  if (!canvas.sums.empty()) develop_sums(aovs, canvas);
+  if (!canvas.sums.empty()) develop_sums(parts.front(), aovs, canvas);
   return std::move(canvas.image);
 }
 

@@ -28,9 +28,9 @@ void check_settings(const RenderSettings& settings) {
   }
 }
 
-PixelRect image_area(const RenderSettings& settings) {
+PixelRect checked_area(const RenderSettings& settings) {
   const PixelRect whole{0, 0, settings.width, settings.height};
-  const PixelRect area = settings.crop.value_or(whole);
+  const PixelRect area = image_area(settings);
   if (area.x < 0 || area.y < 0 || area.width < 1 || area.height < 1 || area.width > whole.width - area.x ||
       area.height > whole.height - area.y) {
     throw Error(ErrorKind::usage, "--crop: it must lie within the image of " + std::to_string(whole.width) + "x" +
@@ -83,6 +83,7 @@ void describe_trace(const TraceStatistics& trace, const RenderSettings& settings
   statistics.rays = trace.rays;
   statistics.stack_overflows = trace.stack_overflows;
   statistics.error = trace.error;
+  statistics.stopped = trace.stopped;
   if (settings.error_target && !(trace.error && trace.error->bound() <= *settings.error_target)) {
     statistics.warnings.push_back("--error-target was not reached with " + std::to_string(settings.spp) +
                                   " samples per pixel or in the time given");
@@ -125,7 +126,7 @@ void resume(const Device& device, const SavedFilm& saved, Film& film) {
 RenderResult render_image(const Device& device, const Scene& scene, const Camera& camera,
                           const RenderSettings& settings, const RenderCallbacks& callbacks) {
   check_settings(settings);
-  const PixelRect area = image_area(settings);
+  const PixelRect area = checked_area(settings);
   RenderStatistics statistics;
   statistics.effects = plan_effects(scene, camera, settings.max_bounces, settings.cutoff, settings.effects);
   const std::uint32_t bounces = statistics.effects.depth.bounces;

@@ -81,4 +81,9 @@ struct RenderSettings {
   std::uint32_t mutation = 0;                ///< MUTATION_*, a fault to seed; 0: none
 };
 
+/// The pixels that are rendered.
+inline PixelRect image_area(const RenderSettings& settings) {
+  return settings.crop.value_or(PixelRect{0, 0, settings.width, settings.height});
+}
+
 }  // namespace vernier

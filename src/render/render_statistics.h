@@ -63,6 +63,7 @@ struct RenderStatistics {
   std::uint64_t stack_overflows = 0;
   std::uint32_t samples_done = 0;      ///< samples every pixel has got
   double mean_samples = 0.0;           ///< per pixel
+  bool stopped = false;                ///< by the time limit or the caller, before its end: other runs stop elsewhere
   std::optional<ErrorEstimate> error;  ///< with an error target, once there is one
   std::uint64_t device_bytes = 0;
   SavedMemory saved;

@@ -58,14 +58,14 @@ class TraceRun {
   /// Traces what is left, and saves it now and then, and where it is stopped.
   void trace() {
     if (settings_.error_target) {
-      error_ = trace_to_target(
-          device_, tracer_, film_, settings_, [this] { return is_stopped(); }, [this](double share) { tell(share); });
+      const auto stop = [this] { return stopped_ = is_stopped(); };
+      error_ = trace_to_target(device_, tracer_, film_, settings_, stop, [this](double share) { tell(share); });
       return;
     }
     Checkpoint* checkpoint = callbacks_.checkpoint;
     if (checkpoint && !callbacks_.resumed) checkpoint->save_start(film_.area(), position_);
-    const bool finished = trace_passes();
-    if (checkpoint && !finished) checkpoint->save(device_, film_, position_, statistics());
+    stopped_ = !trace_passes();
+    if (checkpoint && stopped_) checkpoint->save(device_, film_, position_, statistics());
   }
 
   const TracePosition& position() const { return position_; }
@@ -74,6 +74,7 @@ class TraceRun {
     TraceStatistics statistics = tracer_.statistics();
     statistics.wall_ms = seconds() * 1000.0;
     statistics.error = error_;
+    statistics.stopped = stopped_;
     if (!statistics.effect_runs.by_depth.empty()) statistics.effect_runs.by_depth[0].path = statistics.rays.primary;
     if (callbacks_.resumed) add_before(*callbacks_.resumed, statistics);
     return statistics;
@@ -140,6 +141,7 @@ class TraceRun {
   TracePosition position_;
   double share_before_ = 0.0;
   std::optional<ErrorEstimate> error_;
+  bool stopped_ = false;
   Clock::time_point start_ = Clock::now();
 };
 

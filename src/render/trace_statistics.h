@@ -20,6 +20,7 @@ struct TraceStatistics {
   std::uint64_t device_bytes = 0;       ///< of the buffers that tracing alone needs
   std::optional<ErrorEstimate> error;   ///< with an error target, once there is one
   SavedMemory saved;                    ///< of these buffers
+  bool stopped = false;                 ///< by the time limit or the caller, before its end
 };
 
 }  // namespace vernier

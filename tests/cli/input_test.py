@@ -71,6 +71,20 @@ class InputTest(ProgramTest):
         self.check_error(FAILED, "is a folder", "render", SCENE, "-o", "out.png", *SMALL)
         self.assertEqual(self.files(), ["out.png"])
 
+    def test_pictures_that_are_cut_off(self):
+        """A background is refused, a texture is one warning: what the codec makes of missing rows is not shown as if it were there."""
+        for extension, size in (("tif", 60000), ("jpg", 8000), ("png", 3000), ("hdr", 60000), ("exr", 60000)):
+            whole, cut = "whole." + extension, "cut." + extension
+            self.check_done("render", SCENE, "-o", whole, "--size", "256x256", "--spp", "1", "--quiet")
+            (self.folder / cut).write_bytes((self.folder / whole).read_bytes()[:size])
+            self.assertLess(size, (self.folder / whole).stat().st_size)
+            self.check_error(REFUSED, cut, "explain", SCENE, "--background", cut, "--no-costs")
+            self.write("a.obj", "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n")
+            self.write("a.mtl", f"newmtl a\nmap_Kd {cut}\n")
+            result = self.check_done("explain", "a.obj", "--no-costs")
+            self.assertIn(cut, result.stderr)
+            self.assertEqual(result.stderr.count("warning: "), 1, result.stderr)
+
     def test_codecs_that_cannot_be_loaded(self):
         """Said before anything is rendered; what reads and writes no image does without them."""
         self.write("libvernier_codecs.so", "no library")

@@ -1,5 +1,6 @@
 """Ctrl-C writes what is done and ends, in render and in reference; progress lines go to stderr."""
 
+import json
 import signal
 import subprocess
 import time
@@ -40,6 +41,20 @@ class InterruptTest(ProgramTest):
 
     def test_the_reference_is_interrupted_alike(self):
         self.check_interrupt(ENDLESS_REFERENCE, "out.exr", b"v/1\x01")
+        self.check_done("render", SCENE, "-o", "whole.exr", "--size", "32x8192", "--spp", "1", "--quiet")
+        result = self.check_done("diff", "whole.exr", "out.exr")
+        self.assertRegex(result.stderr, r"^warning: out.exr: its render was stopped before its end, at \d+ %\n$")
+
+    def test_verify_tells_what_it_has_done(self):
+        process = subprocess.Popen([PROGRAM, "verify", "--json", "verify.json"], cwd=self.folder, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE, text=True)
+        while "held" not in process.stdout.readline():
+            self.assertIsNone(process.poll())
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, FAILED, errors)
+        self.assertEqual(errors, "error: interrupted; what was done by then is told\n")
+        self.assertGreaterEqual(len(json.loads((self.folder / "verify.json").read_text())["cases"]), 1)
 
 
 if __name__ == "__main__":

@@ -38,6 +38,18 @@ class MergeTest(ProgramTest):
             self.check_error(REFUSED, line, "merge", *parts, "-o", "x.exr")
         self.assertNotIn("x.exr", self.files())
 
+    def test_exposure_is_that_of_the_parts(self):
+        halves = [self.render(f"{i}.exr", "--exposure", "1", "--crop", crop) for i, crop in enumerate(("0,0,20,24", "20,0,20,24"))]
+        self.render("whole.png", "--exposure", "1")
+        self.assertEqual(self.merge(*halves, output="merged.png"), (self.folder / "whole.png").read_bytes())
+        self.check_done("rerun", "merged.png", "--quiet")
+        other = self.render("2.exr", "--exposure", "2", "--crop", "20,0,20,24")
+        self.check_error(REFUSED, "--exposure is `2`, there `1`", "merge", halves[0], other, "-o", "x.png")
+
+    def test_a_part_of_the_samples_has_no_legend_of_costs(self):
+        result = self.check_done("render", SCENE, *RENDER[2:6], "--sample-range", "0:2", "-o", "a.exr")
+        self.assertNotIn("cost:", result.stderr)
+
     def test_parts_of_the_built_in_scene(self):
         render = ["render", "--size", "16x9", "--spp", "2", "--quiet", "-o"]
         self.check_done(*render, "whole.exr")

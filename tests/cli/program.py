@@ -25,7 +25,7 @@ class ProgramTest(unittest.TestCase):
         self.folder = Path(folder.name)
 
     def run_program(self, *arguments, environment=None):
-        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True,
+        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, capture_output=True, text=True, errors="surrogateescape",
                               timeout=300, env={**os.environ, "VERNIER_PIPELINE_CACHE": "none", **(environment or {})})
 
     def check_error(self, code, part, *arguments, environment=None):

@@ -1,5 +1,6 @@
 """vernier rerun: the same bits, or what differs, or why it cannot be told."""
 
+import json
 import unittest
 
 from pictures import write_png
@@ -21,6 +22,18 @@ class RerunTest(ProgramTest):
             result = self.check_done("rerun", self.render(name, *options), "--quiet")
             self.assertIn(f"{name}: the same bits again", result.stdout)
         self.check_done("rerun", "b.depth.png", "--quiet")
+
+    def test_a_name_that_looks_like_that_of_a_layer(self):
+        self.render("shot.depth.png")
+        for name in ("shot.depth.png", "shot.depth.depth.png"):
+            self.check_done("rerun", name, "--quiet")
+
+    def test_a_target_that_no_time_ended(self):
+        """Blocks without an error stop at 8 samples; the others reach --spp: no clock had a say."""
+        self.check_done("render", SCENE, "-o", "a.exr", "--size", "64x36", "--background", "0,0,0", "--eye", "0,0,40", "--target",
+                        "0,0,0", "--spp", "32", "--error-target", "0.00001", "--json", "a.json", "--quiet")
+        self.assertLess(json.loads((self.folder / "a.json").read_text())["samples_done"], 32)
+        self.check_done("rerun", "a.exr", "--quiet")
 
     def test_the_built_in_scene(self):
         self.check_done("render", "-o", "a.exr", *SMALL, "--quiet")

@@ -26,6 +26,16 @@ class VerifyTest(ProgramTest):
         self.assertEqual((report["watertight"]["rays"], report["watertight"]["leaks"]), (2048, 0))
         self.assertEqual(report["watertight"]["embree"], {"rays": 10900, "allowed_rate": 2e-5})
 
+    def test_numbers_are_whole_and_in_range(self):
+        for option in ("--rays", "--seed", "--sample"):
+            for value in ("-1", "4294967296", "1e6", "x"):
+                self.check_error(USAGE, option, "verify", "--case", "shared_edge", f"{option}={value}")
+        self.check_error(USAGE, "--rays", "verify", "--rays", "0")
+
+    def test_the_level_by_the_name_that_render_has(self):
+        self.check_done("verify", "--case", "shared_edge", *FEW, "--accuracy", "exact", "--json", "verify.json")
+        self.assertEqual(json.loads((self.folder / "verify.json").read_text())["level"], "exact")
+
     def test_the_seed_decides_the_inputs(self):
         errors = []
         for seed in [1, 1, 2]:
