@@ -21,15 +21,12 @@ const float SLAB_ROUNDINGS = 10.0f;
 
 const int SLAB_MISS = 0x7fffffff;
 
-// 1 / d without infinities: a component below 2^-80 counts as that, with its sign (-0 is negative). Fast: as it comes.
+// 1 / d without infinities. Fast: as it comes.
 float bounded_reciprocal(IN(float) d) {
   if (level_at(SPOT_BOX) == LEVEL_FAST) return 1.0f / d;
   const float zero_fix = 1e-18f;  // what Embree puts in place of 0: the sign is lost, and 0 inf no longer stops the ray
   if (mutated(MUTATION_ZERO_DIRECTION)) return 1.0f / (d == 0.0f ? zero_fix : d);
-  const float smallest = 8.271806125530277e-25f;  // 2^-80
-  uint sign_bit = floatBitsToUint(d) & 0x80000000u;
-  float size = max(abs(d), smallest);
-  return uintBitsToFloat(floatBitsToUint(1.0f / size) | sign_bit);
+  return bounded_inverse(d);
 }
 
 // `ray` prepared for slab tests.

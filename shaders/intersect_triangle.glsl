@@ -14,6 +14,8 @@ struct ShearedRay {
   int largest;    // axis of the largest component
   vec3 shear;     // (dx / dz, dy / dz, 1 / dz)
   float nearest;  // corners nearer than that, in units of t, may lie behind by the rounding of the origin
+  vec2 inverse;   // 1 / the two smaller components, bounded
+  vec2 endless;   // added to where the ray leaves a slab: the largest float if it runs along it, else 0
 };
 
 // Where a ray crosses a triangle, before that is judged.
@@ -27,6 +29,10 @@ struct Crossing {
 const float ORIGIN_ROUNDINGS = 8.0f;
 // Roundings of the side of a plane that the origin lies on.
 const float SIDE_ROUNDINGS = 8.5f;
+// Roundings that t may lie outside the bounds of its triangle: those of t where the plane runs along an axis, which stays as it
+// is. With two of a bound, four of a box plane more than rounding the reciprocal, they are below SLAB_ROUNDINGS, which count
+// for the plane's distance and the depth both.
+const float BOUNDS_ROUNDINGS = 4.0f;
 
 // v with `axis` last, in cyclic order.
 vec3 axis_last(IN(vec3) v, IN(int) axis) {
@@ -42,6 +48,8 @@ ShearedRay sheared_ray(IN(Ray) ray) {
   vec3 d = axis_last(ray.direction, frame.largest);
   frame.shear = vec3(d.x / d.z, d.y / d.z, 1.0f / d.z);
   frame.nearest = gamma_bound(ORIGIN_ROUNDINGS) * max3(abs(ray.origin)) * abs(frame.shear.z);
+  frame.inverse = vec2(bounded_inverse(d.x), bounded_inverse(d.y));
+  frame.endless = vec2(abs(d.x) < LEAST_COMPONENT ? LARGEST_FLOAT : 0.0f, abs(d.y) < LEAST_COMPONENT ? LARGEST_FLOAT : 0.0f);
   return frame;
 }
 
@@ -52,13 +60,39 @@ vec3 sheared_corner(IN(ShearedRay) ray, IN(vec3) corner) {
   return q;
 }
 
+// Where the ray passes a corner along the frame's first two axes, in units of t.
+vec2 corner_passed(IN(ShearedRay) ray, IN(vec3) corner) {
+  precise vec3 p = axis_last(corner - ray.origin, ray.largest);
+  return vec2(p.x, p.y) * ray.inverse;
+}
+
+// A part of a ray, in units of t.
+struct Stretch {
+  float enter;
+  float leave;
+};
+
+// The part of the ray within the bounds of v0 v1 v2, whose depths lie between `nearest` and `farthest`. A hit within it lies
+// within every box around the triangle too. Were t that of the plane alone, which a ray along it knows badly, a box could be
+// entered behind the hit in it: whether it is found would hang on what was found before, copies of a triangle would not be
+// told by their numbers, and a search that goes on at the t of a hit would miss them.
+Stretch stretch_in_bounds(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2, IN(float) nearest, IN(float) farthest) {
+  vec2 c0 = corner_passed(ray, v0);
+  vec2 c1 = corner_passed(ray, v1);
+  vec2 c2 = corner_passed(ray, v2);
+  float enter = larger(smaller(smaller(c0.x, c1.x), c2.x), smaller(smaller(c0.y, c1.y), c2.y));
+  float leave = smaller(larger(larger(c0.x, c1.x), c2.x) + ray.endless.x, larger(larger(c0.y, c1.y), c2.y) + ray.endless.y);
+  return Stretch(larger(enter * (1.0f - gamma_bound(BOUNDS_ROUNDINGS)), nearest),
+                 smaller(leave * (1.0f + gamma_bound(BOUNDS_ROUNDINGS)), farthest));
+}
+
 // The crossing with a triangle's plane.
 struct PlaneCrossing {
   float t;
   bool in_front;  // of the origin, for certain
 };
 
-// Where the ray crosses the plane of v0 v1 v2, between the depths `nearest` and `farthest` of its corners. By the plane, not by
+// Where the ray crosses the plane of v0 v1 v2, within the bounds of the triangle. By the plane, not by
 // the weights of the corners, since those of a sliver know little of its depth; v0 lies opposite the longest edge
 // (src/bvh/corner_order.h), so that a needle's normal comes from its short edges.
 // In front for certain is a crossing whose origin lies on that side of the plane by more than the error of the side (Shewchuk
@@ -78,7 +112,8 @@ PlaneCrossing plane_crossing(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(ve
   float side = dot_product(normal, p);
   float approach = dot_product(normal, ray.direction);
   float ahead = approach < 0.0f ? -side : side;
-  float t = larger(smaller(side / approach, farthest), nearest);
+  Stretch bounds = stretch_in_bounds(ray, v0, v1, v2, nearest, farthest);
+  float t = larger(smaller(side / approach, bounds.leave), bounds.enter);
   float bound = gamma_bound(SIDE_ROUNDINGS) * dot_product(abs(plus) + abs(minus), abs(p));
   bool certain = mutated(MUTATION_NO_LOWER_BOUND) ? t > 0.0f : ahead > bound || (ahead >= -bound && (nearest > ray.nearest || weighed_ahead));
   return PlaneCrossing(t, certain);

@@ -31,6 +31,16 @@ int largest_axis(IN(vec3) direction) {
 // The component of v along `axis`.
 float axis_of(IN(vec3) v, IN(int) axis) { return axis == 0 ? v.x : axis == 1 ? v.y : v.z; }
 
+// Components of a direction below 2^-80 count as that where the ray is divided by them.
+const float LEAST_COMPONENT = 8.271806125530277e-25f;
+
+// 1 / d without infinities, with the sign of d (-0 is negative).
+float bounded_inverse(IN(float) d) {
+  uint sign_bit = floatBitsToUint(d) & 0x80000000u;
+  float size = max(abs(d), LEAST_COMPONENT);
+  return uintBitsToFloat(floatBitsToUint(1.0f / size) | sign_bit);
+}
+
 // Whether the tracing functions may be given this ray: finite, with a direction.
 bool is_valid_ray(IN(Ray) ray) {
   return is_finite(ray.origin) && is_finite(ray.direction) &&

@@ -150,14 +150,18 @@ void add_render_command(CLI::App& app, Command& chosen) {
   const auto arguments = std::make_shared<RenderCommandArguments>();
   CLI::App& command =
       *app.add_subcommand("render", "Renders one image; without SCENE the built-in scene that shows every effect.");
+  // An empty variable of a shell is not meant to be the default.
+  const auto named = [](const std::string& name) { return std::string(name.empty() ? "the file name is empty" : ""); };
   command.add_option("SCENE", arguments->scene.scene, "scene file: .gltf, .glb or .obj (default: the built-in scene)")
-      ->type_name("");
+      ->type_name("")
+      ->check(CLI::Validator(named, ""));
   command
       .add_option(
           "-o,--output", arguments->output,
           "image file: .exr (linear, all layers), .png, .jpg, .hdr or .tif (default: NAME.png of the scene here, else "
           "vernier.png)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(CLI::Validator(named, ""));
   add_render_options(command, arguments->render);
   add_scene_options(command, arguments->scene);
   command

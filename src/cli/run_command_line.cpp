@@ -5,13 +5,14 @@
 #include <exception>
 #include <new>
 
+#include "cli/warnings.h"
 #include "error.h"
 
 namespace vernier {
 namespace {
 
 int say(ErrorKind kind, const std::string& line) {
-  std::fprintf(stderr, "error: %s\n", line.c_str());
+  std::fprintf(stderr, "error: %s\n", terminal_line(line).c_str());
   return static_cast<int>(kind);
 }
 

@@ -1,5 +1,7 @@
 #include "scene/gltf_json.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -41,6 +43,7 @@ json parse(std::string_view text, const std::string& path) {
     return json::parse(text);
   } catch (const json::exception& failure) {
     std::string line = failure.what();
+    line.erase(0, line.find("] ") == std::string::npos ? 0 : line.find("] ") + 2);  // the library's name for it
     for (char& c : line) {
       if (static_cast<unsigned char>(c) < ' ') c = ' ';
     }
@@ -81,6 +84,13 @@ void normalise_number(json& number, const std::string& key) {
   }
 }
 
+/// Members that are indices or sizes: whole numbers from 0, where they are no objects or lists.
+constexpr std::array<std::string_view, 20> kWholeNumbers = {
+    "buffer", "bufferView", "byteLength", "byteOffset", "byteStride", "camera",   "componentType",
+    "count",  "index",      "indices",    "material",   "mesh",       "mode",     "inverseBindMatrices",
+    "scene",  "skeleton",   "skin",       "source",     "sampler",    "texCoord",
+};
+
 /// "material 3" for element 3 of `materials`.
 std::string element_name(const std::string& array, std::size_t index) {
   std::string singular = array == "meshes" ? "mesh" : array;
@@ -105,6 +115,28 @@ void normalise(json& value, const std::string& key, const std::string& place, Gl
   }
 }
 
+// A parser further down takes what is below 0 or no number for not given. Extensions have members of their own.
+void check_whole_numbers(const json& value, const std::string& key, const std::string& place, const std::string& path) {
+  if (value.is_array()) {
+    for (std::size_t i = 0; i < value.size(); ++i) {
+      check_whole_numbers(value[i], key, place.empty() ? element_name(key, i) : place, path);
+    }
+    return;
+  }
+  if (value.is_object()) {
+    for (const auto& [name, member] : value.items()) {
+      if (name == "extensions" || name == "animations") continue;
+      const bool is_list = member.is_array() || member.is_object();
+      const bool is_checked = !is_list && std::ranges::find(kWholeNumbers, name) != kWholeNumbers.end();
+      if (is_checked && !member.is_number_unsigned()) {
+        refuse(path, (place.empty() ? "" : place + ": ") + name + " is " + member.dump().substr(0, 40) +
+                         ", not a whole number from 0");
+      }
+      check_whole_numbers(member, name, place, path);
+    }
+  }
+}
+
 }  // namespace
 
 GltfJson parse_gltf_json(std::span<const std::byte> text, const std::string& path) {
@@ -114,6 +146,7 @@ GltfJson parse_gltf_json(std::span<const std::byte> text, const std::string& pat
   result.root = parse(characters, path);
   check_version(result.root, path);
   normalise(result.root, "", "", result);
+  check_whole_numbers(result.root, "", "", path);
   return result;
 }
 

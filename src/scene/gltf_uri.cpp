@@ -1,5 +1,7 @@
 #include "scene/gltf_uri.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cstdint>
 #include <filesystem>
 #include <string_view>
@@ -24,6 +26,11 @@ int base64_value(char c) {
   if (c == '+' || c == '-') return 62;
   if (c == '/' || c == '_') return 63;
   return -1;
+}
+
+/// Whether `text` is `word`, in any case of letters (RFC 3986, 3.1).
+bool is_word(std::string_view text, std::string_view word) {
+  return std::ranges::equal(text, word, {}, [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
 }
 
 std::string percent_decoded(std::string_view text) {
@@ -63,7 +70,7 @@ std::vector<std::byte> base64_decoded(std::string_view text, const std::string& 
 }  // namespace
 
 bool is_data_uri(const std::string& uri) {
-  return uri.starts_with("data:");
+  return is_word(std::string_view(uri).substr(0, 5), "data:");
 }
 
 std::vector<std::byte> decode_data_uri(const std::string& uri, const std::string& place) {
@@ -71,7 +78,8 @@ std::vector<std::byte> decode_data_uri(const std::string& uri, const std::string
   if (comma == std::string::npos) throw Error(ErrorKind::refused, place + ": the data URI has no comma");
   const std::string_view head(uri.data(), comma);
   const std::string_view body(uri.data() + comma + 1, uri.size() - comma - 1);
-  if (head.ends_with(";base64")) {
+  constexpr std::string_view kBase64 = ";base64";
+  if (head.size() >= kBase64.size() && is_word(head.substr(head.size() - kBase64.size()), kBase64)) {
     return body.find('%') == std::string_view::npos ? base64_decoded(body, place)
                                                     : base64_decoded(percent_decoded(body), place);
   }

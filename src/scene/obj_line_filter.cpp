@@ -22,13 +22,28 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
+// A decimal number in full: sign, digits with or without a point, exponent.
 bool is_plain_number(std::string_view word) {
-  bool has_digit = false;
-  for (const char c : word) {
-    has_digit |= is_digit(c);
-    if (!is_digit(c) && c != '.' && c != '-' && c != '+' && c != 'e' && c != 'E') return false;
+  std::size_t i = 0;
+  const auto skip_digits = [&] {
+    const std::size_t first = i;
+    while (i < word.size() && is_digit(word[i])) ++i;
+    return i - first;
+  };
+  const auto skip_sign = [&] { i += i < word.size() && (word[i] == '-' || word[i] == '+') ? 1 : 0; };
+  skip_sign();
+  std::size_t digits = skip_digits();
+  if (i < word.size() && word[i] == '.') {
+    ++i;
+    digits += skip_digits();
   }
-  return has_digit && (is_digit(word[0]) || word[0] == '.' || word[0] == '-' || word[0] == '+');
+  if (digits == 0) return false;
+  if (i < word.size() && (word[i] == 'e' || word[i] == 'E')) {
+    ++i;
+    skip_sign();
+    if (skip_digits() == 0) return false;
+  }
+  return i == word.size();
 }
 
 // nan, -inf, -nan(ind), 1.#QNAN and the like.
@@ -61,41 +76,24 @@ std::string_view face_corner(std::string_view word) {
 
 }  // namespace
 
-ObjLineFilter::ObjLineFilter(std::string file, std::string_view text) : file_(std::move(file)), text_(text) {}
+ObjLineFilter::ObjLineFilter(std::string file, std::string_view text) : file_(std::move(file)), lines_(text) {}
 
 int ObjLineFilter::underflow() {
   out_.clear();
-  while (out_.empty() && position_ < text_.size()) write(next_line());
-  statements_.lines = line_;
+  while (out_.empty() && !lines_.at_end()) write(lines_.next());
+  statements_.lines = line();
   if (out_.empty() && !std::exchange(ended_, true)) out_ = "f 1 1 1\n";
   if (out_.empty()) return traits_type::eof();
   setg(out_.data(), out_.data(), out_.data() + out_.size());
   return traits_type::to_int_type(out_[0]);
 }
 
-std::string_view ObjLineFilter::next_line() {
-  joined_.clear();
-  for (;;) {
-    const std::size_t start = position_;
-    const std::size_t end = std::min(text_.find_first_of("\n\r", start), text_.size());
-    const bool crlf = text_.compare(end, 2, "\r\n") == 0;
-    position_ = std::min(end + (crlf ? 2 : 1), text_.size());
-    ++line_;
-    const std::string_view part = trimmed(text_.substr(start, end - start));
-    const bool goes_on = part.ends_with('\\') && position_ < text_.size();
-    if (!goes_on && joined_.empty()) return part;
-    joined_ += goes_on ? part.substr(0, part.size() - 1) : part;
-    if (!goes_on) return joined_;
-    joined_ += ' ';
-  }
-}
-
-void ObjLineFilter::write(std::string_view line) {
-  std::string_view rest = line;
+void ObjLineFilter::write(std::string_view text) {
+  std::string_view rest = text;
   const std::string_view keyword = take_word(rest);
   if (keyword.empty() || keyword[0] == '#') return;
   if (keyword == "v" || keyword == "vn" || keyword == "vt") {
-    write_vertex(line, keyword, rest);
+    write_vertex(text, keyword, rest);
   } else if (keyword == "f" || keyword == "fo") {
     write_face(rest);
   } else if (keyword == "usemtl") {
@@ -110,13 +108,13 @@ void ObjLineFilter::write(std::string_view line) {
     std::ranges::replace(out_, '\0', '?');
     out_ += '\n';
   } else if (keyword == "l" || keyword == "p") {
-    if (statements_.thin_element_count++ == 0) statements_.thin_element_line = line_;
+    if (statements_.thin_element_count++ == 0) statements_.thin_element_line = line();
   } else if (std::ranges::find(kSilentKeywords, keyword) == kSilentKeywords.end()) {
     keep_unknown(keyword);
   }
 }
 
-void ObjLineFilter::write_vertex(std::string_view line, std::string_view keyword, std::string_view rest) {
+void ObjLineFilter::write_vertex(std::string_view text, std::string_view keyword, std::string_view rest) {
   const std::size_t least = keyword == "vt" ? 1 : 3;
   out_.append(keyword);
   std::size_t count = 0;
@@ -127,7 +125,7 @@ void ObjLineFilter::write_vertex(std::string_view line, std::string_view keyword
     out_.append(" ").append(plain ? word : kInfinity);
     ++count;
   }
-  if (count < least) refuse(printable(line) + " has fewer than " + std::to_string(least) + " numbers");
+  if (count < least) refuse(printable(text) + " has fewer than " + std::to_string(least) + " numbers");
   out_ += '\n';
 }
 
@@ -144,10 +142,10 @@ void ObjLineFilter::write_face(std::string_view rest) {
   out_ += '\n';
   if (count < 3) {
     out_.clear();
-    if (statements_.short_face_count++ == 0) statements_.short_face_line = line_;
+    if (statements_.short_face_count++ == 0) statements_.short_face_line = line();
     return;
   }
-  statements_.face_lines.push_back(static_cast<std::uint32_t>(line_));
+  statements_.face_lines.push_back(static_cast<std::uint32_t>(line()));
   statements_.face_corner_counts.push_back(count);
 }
 
@@ -177,6 +175,7 @@ void ObjLineFilter::keep_libraries(std::string_view rest) {
     if (i < rest.size() && kBlanks.find(rest[i]) == std::string_view::npos) continue;
     const std::string_view name = trimmed(rest.substr(start, i - start));
     if (i < rest.size() && !name.ends_with(".mtl") && !name.ends_with(".MTL")) continue;
+    if (name.starts_with('#')) return;
     if (!name.empty()) keep(name);
     start = i;
   }
@@ -184,11 +183,11 @@ void ObjLineFilter::keep_libraries(std::string_view rest) {
 
 void ObjLineFilter::keep_unknown(std::string_view keyword) {
   if (statements_.unknown_keywords.size() >= kUnknownKeywordCount) return;
-  statements_.unknown_keywords.emplace(printable(keyword), line_);
+  statements_.unknown_keywords.emplace(printable(keyword), line());
 }
 
 void ObjLineFilter::refuse(const std::string& what) const {
-  throw Error(ErrorKind::refused, file_ + ": line " + std::to_string(line_) + ": " + what);
+  throw Error(ErrorKind::refused, file_ + ": line " + std::to_string(line()) + ": " + what);
 }
 
 }  // namespace vernier

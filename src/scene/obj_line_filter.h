@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/logical_lines.h"
+
 namespace vernier {
 
 /// No face.
@@ -49,7 +51,7 @@ class ObjLineFilter : public std::streambuf {
   ObjLineFilter(std::string file, std::string_view text);
 
   /// The line that was handed on last, from 1; a joined line has the number of its last part.
-  std::size_t line() const { return line_; }
+  std::size_t line() const { return lines_.last_line(); }
   /// What was seen so far.
   const ObjStatements& statements() const { return statements_; }
 
@@ -57,9 +59,8 @@ class ObjLineFilter : public std::streambuf {
   int underflow() override;
 
  private:
-  std::string_view next_line();
-  void write(std::string_view line);
-  void write_vertex(std::string_view line, std::string_view keyword, std::string_view rest);
+  void write(std::string_view text);
+  void write_vertex(std::string_view text, std::string_view keyword, std::string_view rest);
   void write_face(std::string_view rest);
   void write_material(std::string_view name);
   void keep_libraries(std::string_view rest);
@@ -67,11 +68,8 @@ class ObjLineFilter : public std::streambuf {
   [[noreturn]] void refuse(const std::string& what) const;
 
   std::string file_;
-  std::string_view text_;
+  LogicalLines lines_;
   bool ended_ = false;
-  std::size_t position_ = 0;
-  std::size_t line_ = 0;
-  std::string joined_;
   std::string out_;
   std::map<std::string, std::size_t, std::less<>> material_ids_;
   ObjStatements statements_;

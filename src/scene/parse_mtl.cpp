@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "scene/logical_lines.h"
 #include "scene/text_words.h"
 
 namespace vernier {
@@ -42,12 +43,10 @@ bool is_numeric_option(std::string_view option) {
 class MtlParser {
  public:
   MtlLibrary parse(std::string_view text) {
-    while (!text.empty()) {
-      const std::size_t end = std::min(text.find_first_of("\n\r"), text.size());
-      const bool crlf = text.substr(end, 2) == "\r\n";
-      ++line_;
-      std::string_view rest = trimmed(text.substr(0, end));
-      text.remove_prefix(std::min(end + (crlf ? 2 : 1), text.size()));
+    LogicalLines lines(text);
+    while (!lines.at_end()) {
+      std::string_view rest = lines.next();
+      line_ = lines.last_line();
       const std::string_view keyword = take_word(rest);
       if (!keyword.empty() && keyword[0] != '#') statement(keyword, rest);
     }

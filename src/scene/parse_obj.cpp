@@ -161,8 +161,6 @@ std::optional<ObjGeometry> parse_in_parts(const std::string& file, std::string_v
 }  // namespace
 
 ObjGeometry parse_obj(const std::string& file, std::string_view text, std::size_t part_count) {
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
   if (part_count > 1) {
     if (std::optional<ObjGeometry> geometry = parse_in_parts(file, text, part_count)) return std::move(*geometry);
   }

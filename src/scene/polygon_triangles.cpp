@@ -56,8 +56,9 @@ class EarClipper {
       next_[i] = (i + 1) % count;
     }
     for (std::uint32_t i = 0; i < count; ++i) {
-      bends_in_[i] = corner_turn(i) < 0.0;
+      bends_in_[i] = may_bend_in(i);
       if (bends_in_[i]) reflex_.push_back(i);
+      if (is_spike(i)) spikes_.push_back(i);
     }
     reflex_count_ = reflex_.size();
   }
@@ -68,6 +69,15 @@ class EarClipper {
     std::uint32_t corner = 0;
     std::size_t refused = 0;
     while (remaining_ >= 3) {
+      if (!spikes_.empty()) {
+        const std::uint32_t spike = spikes_.back();
+        spikes_.pop_back();
+        // One may have been cut off, or filled, since it was met.
+        if (!is_there(spike) || !is_spike(spike)) continue;
+        corner = cut(spike, triangles);
+        refused = 0;
+        continue;
+      }
       // A round without an ear: straight corners may go too. Another one: the polygon is not simple, cut anywhere.
       const bool give_up = refused >= 2 * remaining_ || budget_ == 0;
       if (!give_up && !is_ear(corner, refused >= remaining_)) {
@@ -75,9 +85,7 @@ class EarClipper {
         ++refused;
         continue;
       }
-      triangles.push_back({previous_[corner], corner, next_[corner]});
-      // Going on two corners further keeps the triangles from becoming a fan of slivers.
-      corner = next_[remove(corner)];
+      corner = cut(corner, triangles);
       refused = 0;
     }
   }
@@ -85,21 +93,54 @@ class EarClipper {
  private:
   double corner_turn(std::uint32_t i) const { return turn(flat_[previous_[i]], flat_[i], flat_[next_[i]]); }
 
+  // Out and back again, or the same place twice: without area, and cut off before it is taken for a side of something.
+  bool is_spike(std::uint32_t i) const {
+    const glm::dvec2 before = flat_[previous_[i]] - flat_[i], after = flat_[next_[i]] - flat_[i];
+    const bool stays = before == glm::dvec2(0.0) || after == glm::dvec2(0.0);
+    return corner_turn(i) == 0.0 && (stays || glm::dot(before, after) > 0.0);
+  }
+
+  // A spike inwards bends in as far as can be.
+  bool may_bend_in(std::uint32_t i) const { return corner_turn(i) < 0.0 || is_spike(i); }
+
+  bool is_there(std::uint32_t i) const { return next_[previous_[i]] == i; }
+
+  // Cuts the corner off and returns the one to look at next: two further on keeps triangles from becoming a fan of
+  // slivers.
+  std::uint32_t cut(std::uint32_t corner, std::vector<PolygonTriangle>& triangles) {
+    triangles.push_back({previous_[corner], corner, next_[corner]});
+    return next_[remove(corner)];
+  }
+
   bool is_ear(std::uint32_t corner, bool straight_allowed) {
     const double bend = corner_turn(corner);
-    if (!(bend > 0.0 || (straight_allowed && bend == 0.0))) return false;
     const glm::dvec2 a = flat_[previous_[corner]];
     const glm::dvec2 b = flat_[corner];
     const glm::dvec2 c = flat_[next_[corner]];
+    if (!(bend > 0.0 || (straight_allowed && bend == 0.0))) return false;
     budget_ -= std::min(budget_, reflex_.size());
     // Where any corner lies inside, a reflex one does.
     for (const std::uint32_t i : reflex_) {
       const glm::dvec2 p = flat_[i];
-      // The corners themselves, and twins of theirs in a bridge, do not lie inside.
-      if (!bends_in_[i] || p == a || p == b || p == c) continue;
+      if (!bends_in_[i]) continue;
+      // Corners themselves do not lie inside, but from a twin, where the outline touches itself, it may go on inside.
+      if (p == a || p == b || p == c) {
+        if (bend > 0.0 && i != previous_[corner] && i != corner && i != next_[corner] && enters(i, a, b, c))
+          return false;
+        continue;
+      }
       if (turn(a, b, p) >= 0.0 && turn(b, c, p) >= 0.0 && turn(c, a, p) >= 0.0) return false;
     }
     return true;
+  }
+
+  // Whether an edge at `i`, which lies on a corner of the triangle, leads into it.
+  bool enters(std::uint32_t i, const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) const {
+    const glm::dvec2 p = flat_[i];
+    const glm::dvec2 right = p == a ? b : p == b ? c : a;
+    const glm::dvec2 left = p == a ? c : p == b ? a : b;
+    const auto leads_in = [&](const glm::dvec2& q) { return turn(p, right, q) > 0.0 && turn(p, q, left) > 0.0; };
+    return leads_in(flat_[previous_[i]]) || leads_in(flat_[next_[i]]);
   }
 
   // Takes the corner out and returns its successor.
@@ -111,7 +152,8 @@ class EarClipper {
     forget_reflex(corner);
     // The angles beside the cut get smaller and may bend in no longer.
     for (const std::uint32_t beside : {previous_[corner], after}) {
-      if (!(corner_turn(beside) < 0.0)) forget_reflex(beside);
+      if (!may_bend_in(beside)) forget_reflex(beside);
+      if (is_spike(beside)) spikes_.push_back(beside);
     }
     return after;
   }
@@ -129,6 +171,7 @@ class EarClipper {
   std::vector<bool> bends_in_;
   std::vector<std::uint32_t> reflex_;  // holds all that bend in, and some that no longer do
   std::size_t reflex_count_ = 0;
+  std::vector<std::uint32_t> spikes_;  // to be cut off, or to be looked at again
   std::size_t remaining_;
   std::size_t budget_ = std::min(kTestsPerCorner * flat_.size(), kMostTests);
 };

@@ -1,6 +1,7 @@
 #include "scene/texture_from_image.h"
 
 #include <cstring>
+#include <filesystem>
 #include <fstream>
 #include <string_view>
 #include <vector>
@@ -56,6 +57,11 @@ std::shared_ptr<const Texels> decode_texels(std::span<const std::byte> encoded, 
 }
 
 std::shared_ptr<const Texels> decode_texels_from_file(const std::string& path, TexelEncoding encoding) {
+  std::error_code failure;
+  // A pipe would be waited for.
+  if (std::filesystem::exists(path, failure) && !std::filesystem::is_regular_file(path, failure)) {
+    refuse(path, "not a regular file");
+  }
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) refuse(path, "the file cannot be opened");
   const std::streamoff size = file.tellg();

@@ -209,7 +209,10 @@ CaseResult run_coplanar_duplicates(const CaseSetup& setup) {
   Tally tally;
   trace_samples(
       setup, kName, VERIFY_CLOSEST, scenes_of(setup, targets), tally,
-      [&](SampleRandom& random, std::uint32_t target) { return aimed_ray(random, targets[target], mixed_aim(random)); },
+      [&](SampleRandom& random, std::uint32_t target) {
+        if (random.below(2) == 0) return grazing_ray(random, targets[target]);
+        return aimed_ray(random, targets[target], mixed_aim(random));
+      },
       [&](const RayQuery& query, const RayAnswer& answer, std::uint32_t target) {
         const bool first = answer.triangle == NONE ||
                            answer.triangle == lowest[target][targets[target].mesh.triangles[answer.triangle].x / 3];

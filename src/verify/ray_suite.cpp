@@ -75,6 +75,19 @@ RayQuery aimed_ray(SampleRandom& random, const Target& target, Aim aim) {
   return ray_query(origin, direction);
 }
 
+RayQuery grazing_ray(SampleRandom& random, const Target& target) {
+  const VerifyMesh& mesh = target.mesh;
+  const glm::uvec3 corners = mesh.triangles[random.below(static_cast<std::uint32_t>(mesh.triangles.size()))];
+  const auto corner = [&](std::uint32_t i) { return glm::dvec3(mesh.positions[corners[static_cast<int>(i % 3)]]); };
+  const std::uint32_t aim = random.below(3);
+  const glm::dvec3 along = corner(aim + 1) - corner(aim), beside = corner(aim + 2) - corner(aim);
+  const glm::dvec3 flat = glm::normalize(along * random.in(-1.0, 1.0) + beside * random.in(-1.0, 1.0));
+  const glm::dvec3 normal = glm::normalize(glm::cross(along, beside));
+  const glm::dvec3 back = flat + normal * std::exp2(random.in(-12.0, -4.0));
+  const glm::vec3 origin(corner(aim) + back * random.in(0.1, 1.0));
+  return ray_query(origin, glm::vec3(corner(aim) - glm::dvec3(origin)));
+}
+
 SampleRandom mesh_random(const CaseSetup& setup, const char* name, std::uint32_t mesh) {
   return SampleRandom(setup.seed, name, ~std::uint64_t{mesh});
 }

@@ -27,6 +27,9 @@ Aim mixed_aim(SampleRandom& random);
 /// A ray from the target's inside at what `aim` says, each component of its direction off by up to two steps.
 RayQuery aimed_ray(SampleRandom& random, const Target& target, Aim aim);
 
+/// A ray to a corner of one of the target's triangles, nearly in its plane: by a cosine of 2^-4 to 2^-12.
+RayQuery grazing_ray(SampleRandom& random, const Target& target);
+
 /// Random numbers for mesh number `mesh` of a case: apart from those of all samples.
 SampleRandom mesh_random(const CaseSetup& setup, const char* name, std::uint32_t mesh);
 

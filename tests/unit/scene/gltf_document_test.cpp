@@ -77,7 +77,7 @@ TEST(GltfDocument, refuses_missing_and_short_buffers) {
   expect_refused(file, "buffer 0: gone.bin: the file does not exist");
   file.folder.write("gone.bin", "short");
   expect_refused(file, "gone.bin has 5 bytes, byteLength promises 36");
-  file.json["buffers"] = {{{"byteLength", 36}, {"uri", "data:;base64,$$$$"}}};
+  file.json["buffers"] = {{{"byteLength", 36}, {"uri", "DATA:;Base64,$$$$"}}};
   expect_refused(file, "base64");
   file.json["buffers"] = {{{"byteLength", 36}}};
   expect_refused(file, "buffer 0, which has no bytes");
@@ -109,7 +109,11 @@ TEST_P(GltfReferences, are_checked) {
 INSTANTIATE_TEST_SUITE_P(
     All, GltfReferences,
     testing::Values(BrokenReference{"/nodes/0/mesh", 1, "node 0: mesh 1 does not exist, the file has 1"},
-                    BrokenReference{"/nodes/0/mesh", -2, "node 0: mesh -2"},
+                    BrokenReference{"/nodes/0/mesh", -2, "node 0: mesh is -2"},
+                    BrokenReference{"/nodes/0/mesh", -1, "node 0: mesh is -1, not a whole number from 0"},
+                    BrokenReference{"/meshes/0/primitives/0/indices", -1, "mesh 0: indices is -1"},
+                    BrokenReference{"/accessors/0/byteOffset", -4, "accessor 0: byteOffset is -4"},
+                    BrokenReference{"/bufferViews/0/byteOffset", -1, "bufferView 0: byteOffset is -1"},
                     BrokenReference{"/nodes/0/camera", 0, "node 0: camera 0"},
                     BrokenReference{"/nodes/0/skin", 7, "node 0: skin 7"},
                     BrokenReference{"/nodes/0/children/0", 9, "node 0: node 9"},

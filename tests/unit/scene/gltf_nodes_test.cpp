@@ -102,6 +102,14 @@ TEST(GltfNodes, instance_by_the_gpu_instancing_extension) {
   expect_refused(file, "its attributes have different counts");
 }
 
+TEST(GltfNodes, instances_may_have_attributes_of_others_alone) {
+  GltfFile file;
+  add_triangle(file);
+  const int ids = file.accessor(std::vector<float>{1, 2}, "SCALAR", 5126, 1);
+  file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"_ID", ids}};
+  EXPECT_EQ(file.load().instances.size(), 2u);
+}
+
 TEST(GltfCameras, are_rigid_and_ordered_by_their_number) {
   GltfFile file;
   add_triangle(file);

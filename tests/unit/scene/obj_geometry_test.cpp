@@ -57,6 +57,9 @@ TEST(LoadObjGeometry, BadIndicesAreRefusedWithTheirLine) {
   EXPECT_EQ(refusal(kTriangle + "f 1 2 99999999999\n"), "line 4: '99999999999' is not a corner of a face");
   EXPECT_EQ(refusal("v 0 0\n"), "line 1: 'v 0 0' has fewer than 3 numbers");
   EXPECT_EQ(refusal("v 0 zero 0\n"), "line 1: 'zero' is not a number");
+  for (const std::string word : {"1..2", "1-2", "1e", "1e+", ".", "-", "+.e1", "1e1.5", "--1"}) {
+    EXPECT_EQ(refusal("v 0 " + word + " 0\n"), "line 1: '" + word + "' is not a number");
+  }
 }
 
 TEST(LoadObjGeometry, FilesWithoutFacesAreRefused) {

@@ -16,6 +16,12 @@ TEST(ParseMtl, AbsentIsNotZero) {
   EXPECT_FALSE(library.materials.at(0).illumination.has_value());
 }
 
+TEST(ParseMtl, MarkAndContinuedLines) {
+  const MtlLibrary library = parse_mtl("\xEF\xBB\xBFnewmtl a\nKd 1 \\\n 0 0.5\n");
+  EXPECT_EQ(library.materials.at(0).name, "a");
+  EXPECT_EQ(library.materials.at(0).diffuse, glm::dvec3(1.0, 0.0, 0.5));
+}
+
 TEST(ParseMtl, OptionsMayHaveFewerNumbersThanAllowed) {
   const MtlLibrary library = parse_mtl("newmtl a\nmap_Kd -s 2 3 -o 0.5 a file.png\n");
   EXPECT_EQ(map_of(library, MtlMap::diffuse).file, "a file.png");

@@ -44,6 +44,35 @@ TEST(PolygonTriangles, DartIsCutAtItsReflexCornerWhereverItStarts) {
   }
 }
 
+TEST(PolygonTriangles, OutlinesThatTouchThemselvesCoverNoMore) {
+  // Two squares that share a corner, and three in a row, from every corner on.
+  const std::vector<glm::dvec3> two = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 1, 0},
+                                       {2, 2, 0}, {1, 2, 0}, {1, 1, 0}, {0, 1, 0}};
+  const std::vector<glm::dvec3> three = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {2, 1, 0}, {2, 2, 0}, {3, 2, 0},
+                                         {3, 3, 0}, {2, 3, 0}, {2, 2, 0}, {1, 2, 0}, {1, 1, 0}, {0, 1, 0}};
+  for (const auto& outline : {two, three}) {
+    for (std::size_t start = 0; start < outline.size(); ++start) {
+      std::vector<glm::dvec3> turned;
+      for (std::size_t i = 0; i < outline.size(); ++i) turned.push_back(outline[(start + i) % outline.size()]);
+      expect_exact_cover(turned, outline.size() == 8 ? 2.0 : 3.0);
+    }
+  }
+}
+
+TEST(PolygonTriangles, SpikesOutAndBackHaveNoArea) {
+  const std::vector<glm::dvec3> outwards = {{0, 0, 0},   {1, 0, 0}, {1, 0.5, 0}, {3, 0.5, 0},
+                                            {1, 0.5, 0}, {1, 1, 0}, {0, 1, 0}};
+  const std::vector<glm::dvec3> inwards = {{0, 0, 0},   {1, 0, 0}, {1, 0.5, 0}, {0.5, 0.5, 0},
+                                           {1, 0.5, 0}, {1, 1, 0}, {0, 1, 0}};
+  for (const auto& outline : {outwards, inwards}) {
+    for (std::size_t start = 0; start < outline.size(); ++start) {
+      std::vector<glm::dvec3> turned;
+      for (std::size_t i = 0; i < outline.size(); ++i) turned.push_back(outline[(start + i) % outline.size()]);
+      expect_exact_cover(turned, 1.0);
+    }
+  }
+}
+
 TEST(PolygonTriangles, ConcavePolygonsFarFromTheOrigin) {
   std::vector<glm::dvec3> comb;
   for (int tooth = 0; tooth < 5; ++tooth) {
