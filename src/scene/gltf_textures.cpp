@@ -111,8 +111,10 @@ int gltf_scene_texture(GltfDocument& document, int index, TexelEncoding encoding
   check_gltf_index(document, place, "texture", index, document.model.textures.size());
   const auto [entry, is_new] = textures.numbers.try_emplace({index, encoding}, -1);
   if (!is_new) return entry->second;
-  const int image = image_of(document, index);
+  int image = image_of(document, index);
   if (image < 0) return -1;
+  const std::string& uri = document.images[static_cast<std::size_t>(image)].uri;
+  if (!uri.empty() && !is_data_uri(uri)) image = textures.image_of_file.try_emplace(uri, image).first->second;
   const auto texels = texels_of(document, {image, encoding}, "texture " + std::to_string(index), textures);
   if (texels == nullptr) return -1;
   const tinygltf::Texture& source = document.model.textures[static_cast<std::size_t>(index)];

@@ -22,12 +22,13 @@ struct DecodedImage {
   std::string path;  ///< of the file of its own that it was read from; empty where there is none
 };
 
-/// What has been decoded so far. A texture used twice is decoded once.
+/// What has been decoded so far. A texture used twice is decoded once, and so is a file that several images name.
 struct GltfTextures {
   std::map<GltfImageUse, DecodedImage> decoded;  ///< beforehand (decode_gltf_images); others when they are asked for
   std::vector<GltfImageUse>* wanted = nullptr;   ///< only notes what is asked for here and hands out one white texel
   std::map<GltfImageUse, std::shared_ptr<const Texels>> texels;  ///< by image; null: cannot be decoded
   std::map<std::pair<int, TexelEncoding>, int> numbers;          ///< by texture, in Scene::textures
+  std::map<std::string, int> image_of_file;                      ///< by URI the first image that names it
 };
 
 /// Decodes `uses`, each there once, on all cores. Changes and tells nothing: gltf_scene_texture does when they are

@@ -121,7 +121,7 @@ class CheckpointTest(ProgramTest):
 
     def test_a_checkpoint_that_cannot_be_written(self):
         self.check_error(FAILED, "no/c.film: there is no folder no", *RENDER, "-o", "x.exr", "--checkpoint", "no/c.film")
-        self.check_error(USAGE, "--checkpoint: it names the image file x.exr", *RENDER, "-o", "x.exr", "--checkpoint", "x.exr")
+        self.check_error(USAGE, "--checkpoint: it names the same file as --output, x.exr", *RENDER, "-o", "x.exr", "--checkpoint", "x.exr")
         result = self.check_done(*RENDER, "-o", "out.exr", "--checkpoint", "/dev/full", "--checkpoint-seconds", "1000")
         self.assertIn("warning: /dev/full: cannot write: No space left on device; the render goes on", result.stderr)
         self.assertEqual((self.folder / "out.exr").read_bytes(), self.whole)

@@ -171,6 +171,19 @@ TEST(GltfTextures, are_decoded_by_use_and_shared) {
   EXPECT_EQ(texture_of(TEXTURE_SLOT_NORMAL).texels->format, TEXTURE_FORMAT_LINEAR8);
 }
 
+TEST(GltfTextures, of_one_file_are_decoded_once_whatever_image_names_it) {
+  GltfFile file;
+  add_triangle(file);
+  file.folder.write("a.bmp", kBmp);
+  file.json["images"] = {{{"uri", "a.bmp"}}, {{"uri", "a.bmp"}}};
+  file.json["textures"] = {{{"source", 0}}, {{"source", 1}}};
+  file.add("materials",
+           {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}, {"emissiveTexture", {{"index", 1}}}});
+  const Scene scene = file.load();
+  ASSERT_EQ(scene.textures.size(), 2u);
+  EXPECT_EQ(scene.textures[0].texels, scene.textures[1].texels);
+}
+
 TEST(GltfTextures, that_cannot_be_read_are_white_with_a_warning) {
   GltfFile file;
   add_triangle(file);
