@@ -6,8 +6,8 @@
 namespace vernier {
 
 std::string terminal_line(std::string text) {
-  // The end tells what is wrong, the beginning where.
-  constexpr std::size_t kLongest = 1000, kKeptAtTheEnd = 300;
+  // The end tells what is wrong, the beginning where. Commands to go on by have room.
+  constexpr std::size_t kLongest = 8192, kKeptAtTheEnd = 1000;
   if (text.size() > kLongest) {
     text = text.substr(0, kLongest - kKeptAtTheEnd) + " ... " + text.substr(text.size() - kKeptAtTheEnd);
   }

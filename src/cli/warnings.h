@@ -5,7 +5,7 @@
 
 namespace vernier {
 
-/// `text` as one line for a terminal: what controls one becomes '?', and the middle of what is longer than a thousand
+/// `text` as one line for a terminal: what controls one becomes '?', and the middle of what is longer than 8192
 /// bytes is left out. Files may say anything.
 std::string terminal_line(std::string text);
 

@@ -146,7 +146,12 @@ MemoryThere memory_there() {
   const auto most = read_bytes("/sys/fs/cgroup/memory.max", "", 1);
   const auto used = read_bytes("/sys/fs/cgroup/memory.current", "", 1);
   if (most && used) {
-    const std::uint64_t left = *most - std::min(*most, *used);
+    // What the group holds of files is given back when it is needed.
+    const std::string statistics = "/sys/fs/cgroup/memory.stat";
+    const std::uint64_t files =
+        read_bytes(statistics, "inactive_file", 1).value_or(0) + read_bytes(statistics, "active_file", 1).value_or(0);
+    const std::uint64_t kept = *used - std::min(*used, files);
+    const std::uint64_t left = *most - std::min(*most, kept);
     there.host_bytes = std::min(there.host_bytes.value_or(left), left);
   }
   return there;

@@ -12,10 +12,10 @@ TEST(TerminalLine, holds_nothing_that_controls_a_terminal) {
 
 TEST(TerminalLine, loses_the_middle_of_what_is_long) {
   const std::string line = terminal_line("scene.gltf: " + std::string(3'000'000, 'x') + ": does not exist");
-  EXPECT_LT(line.size(), 1100u);
+  EXPECT_LT(line.size(), 8300u);
   EXPECT_TRUE(line.starts_with("scene.gltf: xxx"));
   EXPECT_TRUE(line.ends_with("xxx: does not exist"));
-  EXPECT_EQ(terminal_line(std::string(1000, 'x')), std::string(1000, 'x'));
+  EXPECT_EQ(terminal_line(std::string(8192, 'x')), std::string(8192, 'x'));
 }
 
 TEST(PrintWarnings, stop_after_a_hundred) {
