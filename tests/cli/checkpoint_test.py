@@ -94,13 +94,22 @@ class CheckpointTest(ProgramTest):
         self.check_error(REFUSED, "out.exr: was stopped before its end", "merge", "out.exr", "-o", "m.exr")
         self.check_whole(*RESUME)
 
+    def stop_early(self):
+        """Behind the first samples or before them, by how busy the machine is: then nothing but the checkpoint is written."""
+        result = self.run_program(*RENDER, "-o", "out.exr", "--checkpoint", "c.film", "--time-limit", "0.001")
+        if result.returncode != DONE:
+            self.assertEqual(result.returncode, FAILED, result.stderr)
+            self.assertIn("before the first sample, nothing is written; go on by: vernier render ", result.stderr)
+        self.assertEqual((self.folder / "out.exr").exists(), result.returncode == DONE)
+
     def test_a_time_limit_can_be_gone_on_from(self):
-        self.check_done(*RENDER, "-o", "out.exr", "--checkpoint", "c.film", "--time-limit", "0.001")
-        self.assertNotEqual((self.folder / "out.exr").read_bytes(), self.whole)
+        self.stop_early()
+        if (self.folder / "out.exr").exists():
+            self.assertNotEqual((self.folder / "out.exr").read_bytes(), self.whole)
         self.check_whole(*RESUME)
 
     def test_what_does_not_belong_is_refused(self):
-        self.check_done(*RENDER, "-o", "out.exr", "--checkpoint", "c.film", "--time-limit", "0.001")
+        self.stop_early()
         for option, value, said in [("--seed", "1", "--seed is `0`, there `1`"), ("--spp", "8", "--spp is `37`, there `8`"),
                                     ("--aov", "cost", "--aov is"), ("--crop", "0,0,8,8", "--crop is not set, there `0,0,8,8`"),
                                     ("--accuracy", "exact", "--accuracy is `robust`, there `exact`")]:
