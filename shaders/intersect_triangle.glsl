@@ -29,9 +29,10 @@ struct Crossing {
 const float ORIGIN_ROUNDINGS = 8.0f;
 // Roundings of the side of a plane that the origin lies on.
 const float SIDE_ROUNDINGS = 8.5f;
-// Roundings that t may lie outside the bounds of its triangle: those of t where the plane runs along an axis, which stays as it
-// is. With two of a bound, four of a box plane more than rounding the reciprocal, they are below SLAB_ROUNDINGS, which count
-// for the plane's distance and the depth both.
+// Roundings that t may lie outside the bounds of its triangle, so that t stays as it is where the plane runs along an axis and
+// its distance is worked out in two ways. Three more of a bound (difference, reciprocal, product), two where the slack is
+// applied, four of a box's plane: 13 in all. A box is widened by SLAB_ROUNDINGS of the plane's distance and as many of the
+// depth, both at least t: 20.
 const float BOUNDS_ROUNDINGS = 4.0f;
 
 // v with `axis` last, in cyclic order.

@@ -19,7 +19,6 @@
 #include "image/read_image.h"
 #include "image/whole_file.h"
 #include "image/write_image.h"
-#include "render/render_image.h"
 #include "shared/film_layout.h"
 
 namespace vernier {

@@ -66,13 +66,7 @@ class OutputTest(ProgramTest):
             result = subprocess.run([PROGRAM, "diff", "a.png", "a.png", "--json", "/dev/stdout"], cwd=self.folder, stdout=out)
         self.assertEqual(result.returncode, DONE)
         text = (self.folder / "all.txt").read_text()
-        end = text.index("}\n") + 2
-        while True:
-            try:
-                figures = json.loads(text[:end])
-                break
-            except json.JSONDecodeError:
-                end = text.index("}\n", end) + 2
+        figures, end = json.JSONDecoder().raw_decode(text)
         self.assertEqual(figures["rmse"], 0.0)
         self.assertIn("RMSE", text[end:])
 
