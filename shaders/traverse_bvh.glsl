@@ -83,7 +83,7 @@ void search_trees(IN(Search) search, IN(TreeRay) above, INOUT(TreeRay) ray, INOU
     bool is_triangle = (a.w & BVH_TRIANGLE) != 0u;
     ivec4 entries = intersect_children(ray.slab, a, b, c, search.t_min, found.hit.t);
     // The next record is chosen before the triangle is tested: a CPU that looks ahead then asks for it meanwhile.
-    advance(cursor, !is_triangle, entries, c.z);
+    advance(cursor, !is_triangle, entries, c.z & BVH_CHILD_BASE_MASK);
     // Both kinds are worked out for every record: lanes in lockstep pay for both anyway, and selects are cheaper than a
     // branch. A record that is no triangle can hit nothing beyond the largest float.
     uint triangle = INSTANCED ? tree.first_triangle + c.w : c.w;
@@ -102,7 +102,7 @@ void search_trees(IN(Search) search, IN(TreeRay) above, INOUT(TreeRay) ray, INOU
       // Mapping a ray takes half as long as a record, and llvmpipe would do it for every one: lanes wait here until no other
       // has anything else to do. The way back is only selects.
       bool enters = (a.w & BVH_INSTANCE) != 0u && entries.x != SLAB_MISS;
-      tree.entered = enters ? b.x >> BVH_INSTANCE_SHIFT : NONE;
+      tree.entered = enters ? b.w >> BVH_INSTANCE_SHIFT : NONE;
       cursor.running = cursor.running && !enters;
       if (cursor.stack_count < tree.stack_floor) {
         ray = above;

@@ -97,7 +97,7 @@ void place_point(INOUT(TrianglePoint) point, IN(Ray) ray, IN(uint) instance) {
 // Vertices 0, 1, 2 and the material that words 3 and 7 of a triangle record say (shared/bvh_record.h).
 uvec4 fetch_vertices(IN(uint) word3, IN(uint) word7) {
   uint texels = steering_constants().vertex_texels;
-  uint first = word3 & BVH_VERTEX_MASK;
+  uint first = BVH_VERTEX_NUMBER(word3);
   uvec4 vertices = uvec4(first, first + uint(int(word7 << 16) >> 16), first + uint(int(word7) >> 16), word7);
   if (texels > 0u) vertices.w = load_vertex(first * texels).w;
   return vertices;

@@ -74,6 +74,11 @@ class TreeCheck {
         return place + "has a box in an empty slot";
       }
     }
+    for (const std::size_t word : {4, 5, 6, 8, 9, 10}) {
+      if (record[word] >> 24 == 0) {
+        return place + "has a byte of 0 at the top of a word that may be read as a coordinate";
+      }
+    }
     const double least_cell = std::ldexp(1.0, static_cast<int>(kLeastExponent) - 127);
     for (int axis = 0; axis < 3; ++axis) {
       if (!std::isfinite(node.boxes[0].lo[axis]) || !(node.cell[axis] >= least_cell) || std::isinf(node.cell[axis])) {

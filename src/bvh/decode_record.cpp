@@ -33,7 +33,7 @@ DecodedNode decode_node(const BvhRecord& record) {
   // Words of lo and hi, per axis.
   constexpr int kLoWord[3] = {4, 6, 8};
   DecodedNode node{};
-  node.child_base = record[10];
+  node.child_base = record[10] & BVH_CHILD_BASE_MASK;
   node.child_count = record[11];
   node.slot_is_empty.fill(true);
   for (int axis = 0; axis < 3; ++axis) {
@@ -46,7 +46,7 @@ DecodedNode decode_node(const BvhRecord& record) {
       const std::uint32_t hi = byte_of(record[kLoWord[axis] + 1], child);
       node.boxes[child].lo[axis] = origin + lo * cell;
       node.boxes[child].hi[axis] = origin + hi * cell;
-      node.slot_is_empty[child] = node.slot_is_empty[child] && lo == 255 && hi == 0;
+      node.slot_is_empty[child] = node.slot_is_empty[child] && lo == 255 && hi == 1;
     }
   }
   return node;

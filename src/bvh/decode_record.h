@@ -22,7 +22,7 @@ struct DecodedBox {
 struct DecodedNode {
   glm::dvec3 cell;
   std::array<DecodedBox, 4> boxes;
-  std::array<bool, 4> slot_is_empty;  ///< lo = 255 and hi = 0 on all axes
+  std::array<bool, 4> slot_is_empty;  ///< lo = 255 and hi = 1 on all axes
   std::uint32_t child_base;
   std::uint32_t child_count;  ///< as it stands in the record: 1 to 4 in a sound one
 };

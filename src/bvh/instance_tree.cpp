@@ -26,7 +26,7 @@ BvhRecord instance_record(const TreeInstance& instance, float scene_extent, std:
   const Box box = pad_box(instance.box, scene_extent);
   BvhRecord record = quantize_node(std::span(&box, 1), box, root);
   record[3] |= BVH_INSTANCE;
-  record[4] = (record[4] & kLowestByte) | instance.number << BVH_INSTANCE_SHIFT;
+  record[kPlaceWord] = (record[kPlaceWord] & kLowestByte) | instance.number << BVH_INSTANCE_SHIFT;
   return record;
 }
 

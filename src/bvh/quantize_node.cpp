@@ -4,6 +4,8 @@
 #include <array>
 #include <bit>
 
+#include "shared/bvh_record.h"
+
 namespace vernier {
 namespace {
 
@@ -60,12 +62,32 @@ IntLanes exponent_bytes(const Distances& distance) {
   return byte - (CellGrid(byte).up(distance) > kLargestByte);
 }
 
+// A grid whose origin lies a cell or more below a box that ends within 255 cells of it.
+struct PlacedGrid {
+  Lanes origin;
+  IntLanes exponents;
+};
+
+PlacedGrid place_grid(const LaneBox& node) {
+  PlacedGrid placed{{}, exponent_bytes(distances_from(node.lo, node.hi))};
+  for (;;) {
+    const CellGrid grid(placed.exponents);
+    placed.origin = node.lo - grid.cell;
+    // The difference may have been rounded up: then to the next float below.
+    const IntLanes bits = std::bit_cast<IntLanes>(placed.origin);
+    const IntLanes below = bits < 0 ? bits + 1 : bits - 1;
+    placed.origin = std::bit_cast<Lanes>(grid.down(distances_from(placed.origin, node.lo)) < 1 ? below : bits);
+    const IntLanes beyond = grid.up(distances_from(placed.origin, node.hi)) > kLargestByte;
+    if ((beyond[0] | beyond[1] | beyond[2]) == 0) return placed;
+    placed.exponents -= beyond;
+  }
+}
+
 }  // namespace
 
 BvhRecord quantize_node(std::span<const LaneBox> children, const LaneBox& node, std::uint32_t child_base) {
   using Words = std::uint32_t __attribute__((vector_size(16)));
-  const Lanes origin = node.lo;
-  const IntLanes exponents = exponent_bytes(distances_from(origin, node.hi));
+  const auto [origin, exponents] = place_grid(node);
   const CellGrid grid(exponents);
   // A byte for each child, in a word for each axis.
   Words lo = {};
@@ -78,9 +100,10 @@ BvhRecord quantize_node(std::span<const LaneBox> children, const LaneBox& node, 
     empty_slots &= ~(0xffu << shift);
   }
   lo |= empty_slots;
-  return {std::bit_cast<std::uint32_t>(node.lo[0]),
-          std::bit_cast<std::uint32_t>(node.lo[1]),
-          std::bit_cast<std::uint32_t>(node.lo[2]),
+  hi |= empty_slots & 0x01010101u;
+  return {std::bit_cast<std::uint32_t>(origin[0]),
+          std::bit_cast<std::uint32_t>(origin[1]),
+          std::bit_cast<std::uint32_t>(origin[2]),
           static_cast<std::uint32_t>(exponents[0] | exponents[1] << 8 | exponents[2] << 16),
           lo[0],
           hi[0],
@@ -88,7 +111,7 @@ BvhRecord quantize_node(std::span<const LaneBox> children, const LaneBox& node, 
           hi[1],
           lo[2],
           hi[2],
-          child_base,
+          BVH_CHILD_BASE_TAG | child_base,
           static_cast<std::uint32_t>(children.size())};
 }
 

@@ -13,7 +13,7 @@ namespace vernier {
 inline BvhRecord triangle_record(const BvhTriangle& triangle, bool not_opaque) {
   const auto bits = [](float value) { return std::bit_cast<std::uint32_t>(value); };
   return {bits(triangle.v0.x), bits(triangle.v0.y),
-          bits(triangle.v0.z), BVH_TRIANGLE | (not_opaque ? BVH_TRIANGLE_NOT_OPAQUE : 0u),
+          bits(triangle.v0.z), BVH_TRIANGLE | (not_opaque ? BVH_TRIANGLE_NOT_OPAQUE : 0u) | BVH_VERTEX_BITS(0u),
           bits(triangle.v1.x), bits(triangle.v1.y),
           bits(triangle.v1.z), 0u,
           bits(triangle.v2.x), bits(triangle.v2.y),

@@ -21,7 +21,7 @@ constexpr std::size_t kMaterialWord = 3;  // of a vertex
 constexpr std::size_t kChunkRecords = 8192;
 constexpr std::size_t kMostChunkVertices = 3 * kChunkRecords;
 static_assert(kMostChunkVertices <= std::size_t{1} << 15, "any two are apart by what 15 bits and a sign hold");
-static_assert(std::size_t{3} * BVH_MAX_RECORDS <= std::size_t{BVH_VERTEX_MASK} + 1, "records run out before numbers");
+static_assert(std::size_t{3} * BVH_MAX_RECORDS <= BVH_VERTEX_LIMIT, "records run out before numbers");
 
 /// What is laid out as one vertex.
 struct SourceVertex {
@@ -90,10 +90,16 @@ std::vector<SourceVertex> number_vertices(std::span<BvhRecord> chunk, std::size_
     const std::uint32_t first = numbers.number_of({triangle[0], material});
     const std::uint32_t second = numbers.number_of({triangle[1], material});
     const std::uint32_t third = numbers.number_of({triangle[2], material});
-    record[kFlagsWord] |= first;
+    record[kFlagsWord] |= BVH_VERTEX_BITS(first);
     record[kPlaceWord] = ((second - first) & 0xffffu) | (third - first) << 16;
   });
   return numbers.take_vertices();
+}
+
+/// The flags of a triangle whose vertex 0 comes `by` later.
+std::uint32_t moved_vertex(std::uint32_t flags, std::uint32_t by) {
+  const std::uint32_t number = BVH_VERTEX_NUMBER(flags);
+  return (flags & ~BVH_VERTEX_BITS(number)) | BVH_VERTEX_BITS(number + by);
 }
 
 void copy_vertices(std::span<const SourceVertex> vertices, const BakedScene& baked, std::uint32_t* out) {
@@ -134,7 +140,7 @@ LargeArray<std::uint32_t> lay_out_vertices(BakedScene baked, SceneTrees& trees, 
   parallel_for(threads, chunk_count, [&](std::size_t i) {
     copy_vertices(chunks[i], baked, vertices.data() + words * first_vertices[i]);
     for (BvhRecord& record : chunk_of(records, i)) {
-      if (is_triangle(record)) record[kFlagsWord] += first_vertices[i];
+      if (is_triangle(record)) record[kFlagsWord] = moved_vertex(record[kFlagsWord], first_vertices[i]);
     }
   });
   return vertices;

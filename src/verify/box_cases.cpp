@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "bvh/build_bvh.h"
+#include "bvh/decode_record.h"
 #include "verify/ray_suite.h"
 
 namespace vernier {
@@ -181,7 +182,7 @@ CaseResult run_box_alone(const CaseSetup& setup) {
     }
     const std::vector<RayAnswer> entered = boxes.test(std::span(bvh.records).first(1), queries);
     const std::vector<RayAnswer> hits = triangles.test(triangle_records(triangles_of(mesh)), queries);
-    const std::uint32_t first_child = bvh.records[0][10];
+    const std::uint32_t first_child = decode_node(bvh.records[0]).child_base;
     for (std::size_t i = 0; i < queries.size(); ++i) {
       std::uint32_t child = 0;
       while (child < 4 && bvh.records[first_child + child][11] != aimed_at[i]) ++child;

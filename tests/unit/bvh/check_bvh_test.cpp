@@ -61,8 +61,10 @@ TEST_F(CheckBvh, NoticesAnyBoxSideThatIsTwoCellsShort) {
 }
 
 TEST_F(CheckBvh, NoticesABoxThatIsTooLarge) {
-  // Two cells instead of one on each axis.
-  expect_fault("is too large", [](Bvh& bvh) { bvh.records[0][3] += 0x00030303u; });
+  expect_fault("is too large", [](Bvh& bvh) {
+    std::uint32_t& hi = bvh.records[0][5];
+    hi += (hi & 255u) <= 252u ? 3u : 3u << 8;  // only one of the children can reach the end
+  });
 }
 
 TEST_F(CheckBvh, NoticesADuplicate) {
@@ -86,7 +88,8 @@ TEST_F(CheckBvh, NoticesForeignTriangles) {
 TEST_F(CheckBvh, NoticesBrokenLinks) {
   expect_fault("beyond the last record", [](Bvh& bvh) { bvh.records[0][10] = 0xffffffffu; });
   expect_fault("has 9 children", [](Bvh& bvh) { bvh.records[0][11] = 9; });
-  expect_fault("has two parents", [](Bvh& bvh) { bvh.records[0][10] = 0; });
+  expect_fault("has two parents", [](Bvh& bvh) { bvh.records[0][10] = BVH_CHILD_BASE_TAG; });
+  expect_fault("byte of 0", [](Bvh& bvh) { bvh.records[0][10] &= BVH_CHILD_BASE_MASK; });
   expect_fault("is not reached", [](Bvh& bvh) { bvh.records.push_back(bvh.records.back()); });
   expect_fault("root is a triangle", [](Bvh& bvh) { bvh.records[0] = bvh.records[nth_triangle(bvh, 0)]; });
   expect_fault("is missing", [](Bvh& bvh) { bvh = Bvh(); });

@@ -70,7 +70,7 @@ Bvh upper_tree(const Joined& joined, std::size_t record_count) {
   tree.node_count = tree.triangle_count = 0;
   for (BvhRecord& record : tree.records) {
     if (is_instance(record)) {
-      const std::uint32_t number = record[4] >> BVH_INSTANCE_SHIFT;
+      const std::uint32_t number = record[7] >> BVH_INSTANCE_SHIFT;
       const Box& box = joined.instances[number - 1].box;
       const BvhTriangle stand_in{box.lo, box.hi, {box.hi.x, box.lo.y, box.lo.z}, 100 + number - 1};
       record = build_bvh(std::span(&stand_in, 1), {}, 1).records[1];
@@ -116,7 +116,7 @@ TEST(InstanceTree, an_instance_is_a_node_with_one_child) {
     if (!is_instance(record)) continue;
     ++count;
     const DecodedNode node = decode_node(record);
-    const TreeInstance& instance = joined.instances[(record[4] >> BVH_INSTANCE_SHIFT) - 1];
+    const TreeInstance& instance = joined.instances[(record[7] >> BVH_INSTANCE_SHIFT) - 1];
     EXPECT_EQ(node.child_count, 1u);
     EXPECT_FALSE(is_triangle(joined.bvh.records[node.child_base]));
     for (int axis = 0; axis < 3; ++axis) {

@@ -9,6 +9,7 @@
 
 #include "bvh/box.h"
 #include "bvh/decode_record.h"
+#include "shared/bvh_record.h"
 
 namespace vernier {
 namespace {
@@ -40,29 +41,32 @@ void expect_holds(const BvhRecord& record, std::span<const Box> children) {
 }
 
 TEST(QuantizeNode, GivesWholeCellsAsWorkedByHand) {
-  const std::array<Box, 2> children = {Box{{0, 0, 0}, {255, 1, 2.5f}}, Box{{1.5f, 0, 1}, {2.5f, 0.5f, 255.5f}}};
-  const BvhRecord record = quantize_node(children, {{0, 0, 0}, {255, 1, 255.5f}}, 99);
-  // 255 units in 255 cells: 2^0. 1 unit: 2^-7, because 255 x 2^-8 falls short. 255.5 units: 2^1.
+  const std::array<Box, 2> children = {Box{{0, 0, 0}, {254, 1, 2.5f}}, Box{{1.5f, 0, 1}, {2.5f, 0.5f, 254.5f}}};
+  const BvhRecord record = quantize_node(children, {{0, 0, 0}, {254, 1, 254.5f}}, 99);
+  // 254 units in cells 1 to 254: 2^0. 1 unit: 2^-7, because 254 x 2^-8 falls short. 254.5 units: 2^1.
   EXPECT_EQ(record[3], 127u | 120u << 8 | 128u << 16);
-  EXPECT_EQ(record[4], 0xffff0100u);
-  EXPECT_EQ(record[5], 0x000003ffu);
-  EXPECT_EQ(record[6], 0xffff0000u);
-  EXPECT_EQ(record[7], 0x00004080u);
-  EXPECT_EQ(record[8], 0xffff0000u);
-  EXPECT_EQ(record[9], 0x00008002u);
-  EXPECT_EQ(record[10], 99u);
+  EXPECT_EQ(std::bit_cast<float>(record[0]), -1.0f);
+  EXPECT_EQ(std::bit_cast<float>(record[1]), -0x1p-7f);
+  EXPECT_EQ(std::bit_cast<float>(record[2]), -2.0f);
+  EXPECT_EQ(record[4], 0xffff0201u);
+  EXPECT_EQ(record[5], 0x010104ffu);
+  EXPECT_EQ(record[6], 0xffff0101u);
+  EXPECT_EQ(record[7], 0x01014181u);
+  EXPECT_EQ(record[8], 0xffff0101u);
+  EXPECT_EQ(record[9], 0x01018103u);
+  EXPECT_EQ(record[10], BVH_CHILD_BASE_TAG | 99u);
   EXPECT_EQ(record[11], 2u);
   EXPECT_TRUE(decode_node(record).slot_is_empty[2] && decode_node(record).slot_is_empty[3]);
 }
 
 TEST(QuantizeNode, RoundsOutwardsWhereADoubleDifferenceRounds) {
-  // From -1, the coordinates -1e-20 and 1e-20 are exactly 1 away in double, on a cell's edge; they must go to either
-  // side.
+  // From the grid's origin, the coordinates -1e-20 and 1e-20 are whole cells away in double; they must go to either side.
   const std::array<Box, 2> children = {Box{{-1e-20f, -1, -1}, {1, 1, 1}}, Box{{-1, -1, -1}, {1e-20f, 1, 1}}};
   const BvhRecord record = quantize_node(children, {{-1, -1, -1}, {1, 1, 1}}, 1);
   const double cell = decode_node(record).cell.x;
-  EXPECT_LT(-1.0 + (record[4] & 255u) * cell, -1e-20);
-  EXPECT_GT(-1.0 + ((record[5] >> 8) & 255u) * cell, 1e-20);
+  const double origin = std::bit_cast<float>(record[0]);
+  EXPECT_LT(origin + (record[4] & 255u) * cell, -1e-20);
+  EXPECT_GT(origin + ((record[5] >> 8) & 255u) * cell, 1e-20);
 }
 
 TEST(QuantizeNode, HoldsRandomBoxesOfAllSizes) {
@@ -83,6 +87,9 @@ TEST(QuantizeNode, HoldsRandomBoxesOfAllSizes) {
     }
     const BvhRecord record = quantize_node(children, pad_box(node, 0.0f), 1);
     expect_holds(record, children);
+    for (const int word : {4, 5, 6, 7, 8, 9}) {
+      for (int byte = 0; byte < 4; ++byte) EXPECT_GE(record[word] >> (8 * byte) & 255u, 1u);
+    }
     for (int axis = 0; axis < 3; ++axis) {
       const std::uint32_t byte = (record[3] >> (8 * axis)) & 255u;
       EXPECT_GE(byte, kLeastExponent);

@@ -67,7 +67,7 @@ struct LaidOut {
 
 /// The vertices that a record says.
 glm::uvec3 vertices_of(const BvhRecord& record) {
-  const std::uint32_t first = record[3] & BVH_VERTEX_MASK;
+  const std::uint32_t first = BVH_VERTEX_NUMBER(record[3]);
   const auto offset = [&](std::uint32_t shift) {
     return static_cast<std::uint32_t>(static_cast<std::int16_t>(record[7] >> shift));
   };
@@ -177,7 +177,7 @@ TEST(LayOutVertices, without_attributes_the_record_has_the_material) {
   for (const BvhRecord& record : out.trees.bvh.records) {
     if (!is_triangle(record)) continue;
     EXPECT_EQ(record[7], record[11] % kMaterials);
-    EXPECT_EQ(record[3] & BVH_VERTEX_MASK, 0u);
+    EXPECT_EQ(BVH_VERTEX_NUMBER(record[3]), 0u);
   }
 }
 

@@ -31,7 +31,7 @@ TEST(PackScene, marks_triangles_that_let_light_pass) {
   std::size_t marked = 0;
   for (const BvhRecord& record : packed.bvh.records) {
     if (!is_triangle(record)) continue;
-    const std::size_t vertex = record[3] & BVH_VERTEX_MASK;
+    const std::size_t vertex = BVH_VERTEX_NUMBER(record[3]);
     const std::uint32_t material = packed.vertices[4 * vertex * packed.steering.vertex_texels + 3];
     const bool not_opaque = (record[3] & BVH_TRIANGLE_NOT_OPAQUE) != 0;
     EXPECT_EQ(not_opaque, material >= 2) << material;  // glass, cut-out, pane
