@@ -70,7 +70,9 @@ SlotTexels fetch_slot_texels(IN(TrianglePoint) point, IN(DeviceMaterial) materia
   if (readable_slots() == 0u) return texels;
   uint left = material.textured_slots & slots & readable_slots();
   for (uint round = 0u; left != 0u && round < uint(TEXTURE_SLOT_COUNT); round++) {
-    int slot = findLSB(left);
+    // A lane without a slot works on beside the others: at slot 0 it finds floats, at -1 numbers of textures, which are
+    // denormals as floats (shared/bvh_record.h).
+    int slot = max(findLSB(left), 0);
     left &= left - 1u;
     note_run(effect_of_slot(slot));
     DeviceTextureUse use = fetch_texture_use(point.vertices.w, uint(slot));

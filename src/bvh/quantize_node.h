@@ -12,10 +12,10 @@ namespace vernier {
 inline constexpr std::uint32_t kLeastExponent = 25;
 
 /// The node record for 1 to 4 `children` inside `node` (all padded already, lane 3 finite; coordinates up to 1e38),
-/// which stand from record `child_base` on. The grid starts a cell below node.lo, or more where floats are farther apart,
-/// and has the least power of two as cell on each axis with which all children end at 255 cells, so bytes are 1 to 255
-/// (shared/bvh_record.h says why not 0). lo is rounded down and hi up: the real box origin + byte * cell holds the
-/// child's exactly, and is less than a cell larger on each side. Empty slots get lo = 255, hi = 1.
+/// which stand from record `child_base` on. The grid starts a cell below node.lo, or more where floats are farther
+/// apart, and has the least power of two as cell on each axis with which all children end at 255 cells, so bytes are 1
+/// to 255 (shared/bvh_record.h says why not 0). lo is rounded down and hi up: the real box origin + byte * cell holds
+/// the child's exactly, and is less than a cell larger on each side. Empty slots get lo = 255, hi = 1.
 BvhRecord quantize_node(std::span<const LaneBox> children, const LaneBox& node, std::uint32_t child_base);
 
 /// The same for boxes in plain floats.

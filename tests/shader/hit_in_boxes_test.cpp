@@ -37,7 +37,8 @@ struct RecordTree {
       const ivec4 entries = intersect_children(ray, texels[3 * node], texels[3 * node + 1], texels[3 * node + 2], t, t);
       bool found = false;
       for (int i = 0; i < 4; ++i) {
-        found = found || (entries[i] != SLAB_MISS && (texels[3 * node + 2].z & BVH_CHILD_BASE_MASK) + uint(entries[i] & 3) == record);
+        found = found || (entries[i] != SLAB_MISS &&
+                          (texels[3 * node + 2].z & BVH_CHILD_BASE_MASK) + uint(entries[i] & 3) == record);
       }
       if (!found) return false;
     }

@@ -60,7 +60,8 @@ TEST(QuantizeNode, GivesWholeCellsAsWorkedByHand) {
 }
 
 TEST(QuantizeNode, RoundsOutwardsWhereADoubleDifferenceRounds) {
-  // From the grid's origin, the coordinates -1e-20 and 1e-20 are whole cells away in double; they must go to either side.
+  // From the grid's origin, the coordinates -1e-20 and 1e-20 are whole cells away in double; they must go to either
+  // side.
   const std::array<Box, 2> children = {Box{{-1e-20f, -1, -1}, {1, 1, 1}}, Box{{-1, -1, -1}, {1e-20f, 1, 1}}};
   const BvhRecord record = quantize_node(children, {{-1, -1, -1}, {1, 1, 1}}, 1);
   const double cell = decode_node(record).cell.x;
