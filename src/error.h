@@ -26,4 +26,10 @@ class Error : public std::runtime_error {
   ErrorKind kind_;
 };
 
+/// Refused for want of memory, which is not the input's fault: who goes on without a broken input lets this pass.
+class MemoryError : public Error {
+ public:
+  explicit MemoryError(const std::string& line) : Error(ErrorKind::refused, line) {}
+};
+
 }  // namespace vernier

@@ -117,7 +117,7 @@ void read_floats(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std
 }  // namespace
 
 void read_texels(std::span<const std::byte> encoded, const std::string& extension, const std::string& name,
-                 TexelEncoding encoding, Texels& texels) {
+                 TexelEncoding encoding, const std::function<void(std::uint64_t)>& claim, Texels& texels) {
   OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(encoded.data()), encoded.size());
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
@@ -135,7 +135,9 @@ void read_texels(std::span<const std::byte> encoded, const std::string& extensio
   texels.width = std::uint32_t(spec.width);
   texels.height = std::uint32_t(spec.height);
   const bool is_float = spec.format.is_floating_point();
-  if (!is_float && spec.format.size() == 1) {
+  const bool is_bytes = !is_float && spec.format.size() == 1;
+  claim(std::uint64_t(spec.width) * std::uint64_t(spec.height) * (is_bytes ? 4 : 16));
+  if (is_bytes) {
     texels.format = encoding == TexelEncoding::srgb ? TEXTURE_FORMAT_SRGB8 : TEXTURE_FORMAT_LINEAR8;
     read_bytes(*input, spec, name, texels);
   } else {

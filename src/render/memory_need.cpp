@@ -1,12 +1,11 @@
 #include "render/memory_need.h"
 
 #include <algorithm>
-#include <fstream>
-#include <limits>
 #include <unordered_set>
 
 #include "bvh/bvh.h"
 #include "error.h"
+#include "math/host_memory.h"
 #include "render/bake_instances.h"
 #include "render/film.h"
 #include "render/plan_instances.h"
@@ -52,29 +51,6 @@ std::uint64_t texture_bytes(const Scene& scene) {
   return bytes;
 }
 
-/// A number of bytes from the file at `path` that holds one by itself or behind `label`.
-std::optional<std::uint64_t> read_bytes(const std::string& path, const std::string& label, std::uint64_t unit) {
-  std::ifstream file(path);
-  std::string word;
-  while (!label.empty() && file >> word && word != label) {
-  }
-  std::uint64_t value = 0;
-  if (!(file >> value)) return std::nullopt;
-  return value <= std::numeric_limits<std::uint64_t>::max() / unit ? value * unit : value;
-}
-
-std::string text_of_tenths(std::uint64_t gigabyte_tenths) {
-  return std::to_string(gigabyte_tenths / 10) + "." + std::to_string(gigabyte_tenths % 10) + " GB";
-}
-
-/// Rounded up what is needed, and down what is there: a refusal never names the same number twice.
-std::string needed_text(std::uint64_t bytes) {
-  return text_of_tenths((bytes + 99'999'999) / 100'000'000);
-}
-std::string there_text(std::uint64_t bytes) {
-  return text_of_tenths(bytes / 100'000'000);
-}
-
 /// What the host needs at the most.
 std::uint64_t of_host(const MemoryNeed& need, const MemoryThere& there) {
   return need.host_bytes + (there.shared ? need.device_bytes : 0);
@@ -86,15 +62,15 @@ void check(const std::string& source, const MemoryNeed& need, std::uint64_t need
   const bool shares = need.stored_triangles < need.triangles;
   const std::string stored = shares ? " (" + std::to_string(need.stored_triangles) + " in memory)" : "";
   throw Error(ErrorKind::refused, source + ": " + std::to_string(need.triangles) + " triangles" + stored + " need " +
-                                      needed_text(needed) + " of the " + whose + "'s memory, " + there_text(*there) +
-                                      " are there; simplify or split the model");
+                                      needed_memory_text(needed) + " of the " + whose + "'s memory, " +
+                                      memory_there_text(*there) + " are there; simplify or split the model");
 }
 
 void check_image(std::uint64_t scene, std::uint64_t image, std::optional<std::uint64_t> there, const char* whose) {
   if (!there || scene + image <= *there) return;
-  throw Error(ErrorKind::usage, "--size: so many pixels need " + needed_text(image) + " of the " + whose +
-                                    "'s memory beside the scene's " + needed_text(scene) + ", " + there_text(*there) +
-                                    " are there; render it in parts with --crop");
+  throw Error(ErrorKind::usage, "--size: so many pixels need " + needed_memory_text(image) + " of the " + whose +
+                                    "'s memory beside the scene's " + needed_memory_text(scene) + ", " +
+                                    memory_there_text(*there) + " are there; render it in parts with --crop");
 }
 
 }  // namespace
@@ -142,18 +118,7 @@ MemoryNeed image_need(const RenderSettings& settings) {
 
 MemoryThere memory_there() {
   MemoryThere there;
-  there.host_bytes = read_bytes("/proc/meminfo", "MemAvailable:", 1024);
-  const auto most = read_bytes("/sys/fs/cgroup/memory.max", "", 1);
-  const auto used = read_bytes("/sys/fs/cgroup/memory.current", "", 1);
-  if (most && used) {
-    // What the group holds of files is given back when it is needed.
-    const std::string statistics = "/sys/fs/cgroup/memory.stat";
-    const std::uint64_t files =
-        read_bytes(statistics, "inactive_file", 1).value_or(0) + read_bytes(statistics, "active_file", 1).value_or(0);
-    const std::uint64_t kept = *used - std::min(*used, files);
-    const std::uint64_t left = *most - std::min(*most, kept);
-    there.host_bytes = std::min(there.host_bytes.value_or(left), left);
-  }
+  there.host_bytes = host_memory_there();
   return there;
 }
 
@@ -178,14 +143,14 @@ void check_image_memory(const MemoryNeed& scene, const MemoryNeed& image, const 
 
 std::string memory_text(const MemoryNeed& need, const MemoryThere& there) {
   const auto of = [](std::optional<std::uint64_t> bytes, const char* whose) {
-    return std::string(" of the ") + whose + "'s" + (bytes ? " " + there_text(*bytes) : "");
+    return std::string(" of the ") + whose + "'s" + (bytes ? " " + memory_there_text(*bytes) : "");
   };
-  const std::string device = needed_text(need.device_bytes);
+  const std::string device = needed_memory_text(need.device_bytes);
   const bool shares = need.stored_triangles < need.triangles;
   const std::string stored = shares ? std::to_string(need.triangles) + " triangles, " +
                                           std::to_string(need.stored_triangles) + " of them in memory; at most "
                                     : "at most ";
-  return "memory: " + stored + needed_text(of_host(need, there)) + of(there.host_bytes, "host") +
+  return "memory: " + stored + needed_memory_text(of_host(need, there)) + of(there.host_bytes, "host") +
          (there.shared ? ", " + device + " of them for the device" : ", " + device + of(there.device_bytes, "device"));
 }
 

@@ -34,8 +34,7 @@ MemoryNeed image_need(const RenderSettings& settings);
 /// Of a renderer on the host that copies every instance and keeps so many bytes for each of their triangles.
 MemoryNeed need_of_copies(const Scene& scene, std::uint64_t bytes_per_triangle);
 
-/// On the host: what this process may still take without swapping, as the system calls it available, or less where a
-/// control group (a container) allows less.
+/// On the host: host_memory_there.
 MemoryThere memory_there();
 /// The same, and on the device: its largest local heap, where its memory is its own.
 MemoryThere memory_there(const DeviceDescription& device);

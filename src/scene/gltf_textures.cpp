@@ -62,6 +62,8 @@ DecodedImage decode_image(const GltfDocument& document, const GltfImageUse& use)
   DecodedImage decoded;
   try {
     decoded.texels = read_image(document, use, decoded.path);
+  } catch (const MemoryError&) {
+    throw;
   } catch (const Error& failure) {
     if (failure.kind() != ErrorKind::refused) throw;  // not the image's fault
     decoded.fault = failure.what();

@@ -51,6 +51,8 @@ int load_texture(Scene& scene, const std::string& path, const MtlTexture& map, M
   try {
     scene.textures.push_back({map.file, {wrap, wrap, TEXTURE_FILTER_LINEAR}, load_texels(path, map, use, wrap)});
     note_file(scene.files, path);
+  } catch (const MemoryError&) {
+    throw;
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::refused) throw;  // not the image's fault
     scene.warnings.push_back(std::string(error.what()) + "; the material goes without this texture");

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 #include <string>
 
@@ -11,9 +12,11 @@ namespace vernier {
 extern "C" {
 
 /// decode_texels, of an image in the format that `extension` (without dot) names; of PNG what essential_png leaves.
-/// A function of the module of codecs, called through `codec` (image/codec_module.h) alone.
+/// Calls claim(bytes) before the memory for the texels is taken. A function of the module of codecs, called through
+/// `codec` (image/codec_module.h) alone.
 [[gnu::visibility("default")]] void read_texels(std::span<const std::byte> encoded, const std::string& extension,
-                                                const std::string& name, TexelEncoding encoding, Texels& texels);
+                                                const std::string& name, TexelEncoding encoding,
+                                                const std::function<void(std::uint64_t)>& claim, Texels& texels);
 
 }  // extern "C"
 

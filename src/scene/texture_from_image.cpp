@@ -10,6 +10,7 @@
 #include "image/codec_module.h"
 #include "scene/essential_png.h"
 #include "scene/texel_codec.h"
+#include "scene/texel_memory.h"
 
 namespace vernier {
 namespace {
@@ -52,7 +53,9 @@ std::shared_ptr<const Texels> decode_texels(std::span<const std::byte> encoded, 
   std::vector<std::byte> png;
   if (extension == "png" && begins_with(encoded, kPngSignature)) encoded = png = essential_png(encoded, name);
   auto texels = std::make_shared<Texels>();
-  codec<decltype(read_texels)>("read_texels")(encoded, extension, name, encoding, *texels);
+  TexelClaim claim;
+  codec<decltype(read_texels)>("read_texels")(
+      encoded, extension, name, encoding, [&](std::uint64_t bytes) { claim.take(name, bytes); }, *texels);
   return texels;
 }
 

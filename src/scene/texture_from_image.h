@@ -25,8 +25,8 @@ inline constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 28;
 /// grey-alpha; missing alpha is 1; alpha is not premultiplied. 8-bit images get TEXTURE_FORMAT_SRGB8 or
 /// TEXTURE_FORMAT_LINEAR8 as `encoding` says; deeper ones TEXTURE_FORMAT_FLOAT in linear light (integer colours of
 /// encoding srgb are decoded). Only the first subimage is read. NaN and infinity in float images become 0. Throws
-/// Error(refused) "`name`: what is wrong" for an empty, broken, unknown or too large image, and what codec_address
-/// does.
+/// Error(refused) "`name`: what is wrong" for an empty, broken, unknown or too large image, MemoryError where the host
+/// has too little memory for its texels, and what codec_address does.
 std::shared_ptr<const Texels> decode_texels(std::span<const std::byte> encoded, const std::string& name,
                                             TexelEncoding encoding);
 
