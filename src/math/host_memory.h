@@ -10,8 +10,9 @@ namespace vernier {
 /// group (a container) allows less. Empty: not known.
 std::optional<std::uint64_t> host_memory_there();
 
-/// So many bytes in GB, rounded up what is needed and down what is there: a refusal never names the same number twice.
+/// So many bytes that are needed in GB, rounded up, so that a refusal never names the same number twice.
 std::string needed_memory_text(std::uint64_t bytes);
+/// So many bytes that are there in GB, rounded down.
 std::string memory_there_text(std::uint64_t bytes);
 
 }  // namespace vernier

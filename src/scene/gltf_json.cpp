@@ -91,6 +91,16 @@ constexpr std::array<std::string_view, 20> kWholeNumbers = {
     "scene",  "skeleton",   "skin",       "source",     "sampler",    "texCoord",
 };
 
+/// Members that are numbers or lists of them. (Bounds of accessors are not looked at: exporters write null for NaN.)
+constexpr std::array<std::string_view, 17> kNumbers = {
+    "alphaCutoff",    "aspectRatio", "baseColorFactor",
+    "emissiveFactor", "matrix",      "metallicFactor",
+    "rotation",       "scale",       "roughnessFactor",
+    "strength",       "translation", "weights",
+    "xmag",           "yfov",        "ymag",
+    "zfar",           "znear",
+};
+
 /// "material 3" for element 3 of `materials`.
 std::string element_name(const std::string& array, std::size_t index) {
   std::string singular = array == "meshes" ? "mesh" : array;
@@ -115,24 +125,40 @@ void normalise(json& value, const std::string& key, const std::string& place, Gl
   }
 }
 
+bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
+  return std::ranges::find(names, name) != names.end();
+}
+
+/// What member `name` of an object that is called `key` is not, or empty.
+std::string missed_type(const std::string& key, const std::string& name, const json& member) {
+  const bool is_list = member.is_array() || member.is_object();
+  if (!is_list && is_one_of(name, kWholeNumbers) && !member.is_number_unsigned()) return "a whole number from 0";
+  constexpr double kIntMax = std::numeric_limits<std::int32_t>::max();
+  if (key == "sparse" && name == "count" && member.is_number() && member.get<double>() > kIntMax)
+    return "a number below 2^31";
+  const auto is_number = [](const json& one) { return one.is_number(); };
+  const bool has_numbers =
+      member.is_null() || member.is_number() || (member.is_array() && std::ranges::all_of(member, is_number));
+  return is_one_of(name, kNumbers) && !has_numbers ? "a number or a list of numbers" : "";
+}
+
 // A parser further down takes what is below 0 or no number for not given. Extensions have members of their own.
-void check_whole_numbers(const json& value, const std::string& key, const std::string& place, const std::string& path) {
+void check_numbers(const json& value, const std::string& key, const std::string& place, const std::string& path) {
   if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i) {
-      check_whole_numbers(value[i], key, place.empty() ? element_name(key, i) : place, path);
+      check_numbers(value[i], key, place.empty() ? element_name(key, i) : place, path);
     }
     return;
   }
   if (value.is_object()) {
     for (const auto& [name, member] : value.items()) {
       if (name == "extensions" || name == "animations") continue;
-      const bool is_list = member.is_array() || member.is_object();
-      const bool is_checked = !is_list && std::ranges::find(kWholeNumbers, name) != kWholeNumbers.end();
-      if (is_checked && !member.is_number_unsigned()) {
-        refuse(path, (place.empty() ? "" : place + ": ") + name + " is " + member.dump().substr(0, 40) +
-                         ", not a whole number from 0");
+      const std::string missed = missed_type(key, name, member);
+      if (!missed.empty()) {
+        refuse(path,
+               (place.empty() ? "" : place + ": ") + name + " is " + member.dump().substr(0, 40) + ", not " + missed);
       }
-      check_whole_numbers(member, name, place, path);
+      check_numbers(member, name, place, path);
     }
   }
 }
@@ -146,7 +172,7 @@ GltfJson parse_gltf_json(std::span<const std::byte> text, const std::string& pat
   result.root = parse(characters, path);
   check_version(result.root, path);
   normalise(result.root, "", "", result);
-  check_whole_numbers(result.root, "", "", path);
+  check_numbers(result.root, "", "", path);
   return result;
 }
 

@@ -106,6 +106,21 @@ TEST_P(GltfReferences, are_checked) {
   expect_refused(file, GetParam().message);
 }
 
+TEST(GltfDocument, numbers_are_numbers) {
+  const auto refusal = [](const std::string& pointer, const nlohmann::json& value, const std::string& message) {
+    GltfFile file;
+    add_triangle(file);
+    file.add("materials", {{"pbrMetallicRoughness", nlohmann::json::object()}});
+    ASSERT_NO_THROW(file.load());
+    file.json[nlohmann::json::json_pointer(pointer)] = value;
+    expect_refused(file, message);
+  };
+  refusal("/nodes/0/translation", "abc", "node 0: translation is \"abc\", not a number or a list of numbers");
+  refusal("/nodes/0/scale", {1, "2", 3}, "node 0: scale is [1,\"2\",3], not a number or a list of numbers");
+  refusal("/materials/0/pbrMetallicRoughness/metallicFactor", true, "material 0: metallicFactor is true");
+  refusal("/accessors/0/sparse", {{"count", 4294967297}}, "accessor 0: count is 4294967297, not a number below 2^31");
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, GltfReferences,
     testing::Values(BrokenReference{"/nodes/0/mesh", 1, "node 0: mesh 1 does not exist, the file has 1"},
