@@ -16,7 +16,7 @@
 // word 7, bytes of slots that it has not, are the number of the instance (instance_layout.h).
 //
 // Both tests are worked out for every record, so each kind is read as the other too. Denormals are kept out of what is
-// read so, since a product of one takes some hundred cycles on Intel's processors: a node's bytes are 1 or more, its
+// read so, since a product of one takes some 120 cycles on Intel's processors: a node's bytes are 1 or more, its
 // child base has the bits of a float above 2, and a triangle's exponent bytes are 128 or more. (Where the fourth
 // child's byte is 128 the word may still be one.)
 #ifndef VERNIER_SHARED_BVH_RECORD_H
