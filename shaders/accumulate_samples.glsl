@@ -17,7 +17,9 @@ void accumulate_samples(IN(uint) x, IN(uint) y, IN(uint) first_job) {
   DispatchConstants constants = dispatch_constants();
   uint pixel = (constants.tile_y + y - constants.band_y) * constants.band_width + (constants.tile_x + x - constants.band_x);
   PixelSum sum = load_pixel_sum(pixel);
-  for (uint i = 0u; i < samples_of_pass(); i++) {
+  uint samples = samples_of_pass();
+  uint i = 0u;
+  for (;;) {
     uvec4 traced = load_sample((first_job + i) * SAMPLE_BLOCKS(COUNT_COST));
     add_sample(sum, vector_of(traced), (traced.w & SAMPLE_HIT) != 0u, constants.sample_begin + i);
     sum.rays += traced.w & ~SAMPLE_HIT;
@@ -26,6 +28,8 @@ void accumulate_samples(IN(uint) x, IN(uint) y, IN(uint) first_job) {
       sum.nodes += cost.x;
       sum.triangles += cost.y;
     }
+    i++;
+    if (i >= samples) break;
   }
   store_pixel_sum(pixel, sum);
 }

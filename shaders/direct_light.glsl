@@ -33,23 +33,28 @@ bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_vi
   // One variable decides, and lights_are_done() works its answer out by itself: a compiler that sees the loop end on a
   // comparison takes the outcome for granted behind it, where llvmpipe may have left the loop without.
   bool looking = visit.next_light < light_count;
-  for (uint i = 0u; looking && i < LOOP_ROUND_LIMIT; i++) {
-    LightSample light = sample_light(fetch_light(visit.next_light), surface.position);
-    visit.next_light++;
-    float cosine = dot_product(surface.normal, light.direction);
-    bool lit = cosine > 0.0f && dot_product(surface.geometric_normal, light.direction) > 0.0f && max3(light.irradiance) > 0.0f;
-    vec3 reflected = lit ? reflected_light(surface, terms, to_viewer, light, cosine) : vec3(0.0f);
-    if (!effect_on(EFFECT_SHADOWS)) {
-      sum += reflected;
-    } else if (max3(reflected) > 0.0f) {
-      found = true;
-      note_run(EFFECT_SHADOWS);
-      value = reflected;
-      direction = light.direction;
-      offset = light.offset;
-      directional = light.directional;
+  uint round = 0u;
+  if (looking) {
+    for (;;) {
+      LightSample light = sample_light(fetch_light(visit.next_light), surface.position);
+      visit.next_light++;
+      float cosine = dot_product(surface.normal, light.direction);
+      bool lit = cosine > 0.0f && dot_product(surface.geometric_normal, light.direction) > 0.0f && max3(light.irradiance) > 0.0f;
+      vec3 reflected = lit ? reflected_light(surface, terms, to_viewer, light, cosine) : vec3(0.0f);
+      if (!effect_on(EFFECT_SHADOWS)) {
+        sum += reflected;
+      } else if (max3(reflected) > 0.0f) {
+        found = true;
+        note_run(EFFECT_SHADOWS);
+        value = reflected;
+        direction = light.direction;
+        offset = light.offset;
+        directional = light.directional;
+      }
+      looking = !found && visit.next_light < light_count;
+      round++;
+      if (!looking || round >= LOOP_ROUND_LIMIT) break;
     }
-    looking = !found && visit.next_light < light_count;
   }
   // Of the ray nothing matters where none was found.
   vec3 origin = spawn_origin(surface, direction);

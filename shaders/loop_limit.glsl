@@ -1,4 +1,6 @@
-// The second condition of a kernel's loops.
+// The second condition of a kernel's loops. Where a round is work, a loop tests at the end of its body: llvmpipe goes once more
+// through the whole body of one that tests before it, for no lane at all. Counts go up in the body too: what a `for` does between
+// rounds costs llvmpipe that round as well.
 #ifndef VERNIER_LOOP_LIMIT_GLSL
 #define VERNIER_LOOP_LIMIT_GLSL
 

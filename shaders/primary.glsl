@@ -19,10 +19,10 @@ Hit first_visible_hit(IN(Ray) ray) {
   Hit hit = no_hit(LARGEST_FLOAT);
   float t_min = 0.0f;
   uint after_triangle = NONE;
-  bool looking = true;
-  for (uint i = 0u; looking && i < LOOP_ROUND_LIMIT; i++) {
+  uint round = 0u;
+  for (;;) {
     hit = search_scene(Search(ray, t_min, after_triangle, LARGEST_FLOAT, false)).hit;
-    looking = false;
+    bool looking = false;
     if (rays_pass_hits() && hit.triangle != NONE) {
       TrianglePoint point = triangle_point(ray, hit);
       DeviceMaterial material = fetch_material(point.vertices.w);
@@ -31,6 +31,8 @@ Hit first_visible_hit(IN(Ray) ray) {
       t_min = hit.t;
       after_triangle = hit.triangle;
     }
+    round++;
+    if (!looking || round >= LOOP_ROUND_LIMIT) break;
   }
   return hit;
 }

@@ -69,17 +69,22 @@ SlotTexels fetch_slot_texels(IN(TrianglePoint) point, IN(DeviceMaterial) materia
   SlotTexels texels = no_slot_texels();
   if (readable_slots() == 0u) return texels;
   uint left = material.textured_slots & slots & readable_slots();
-  for (uint round = 0u; left != 0u && round < uint(TEXTURE_SLOT_COUNT); round++) {
-    // A lane without a slot works on beside the others: at slot 0 it finds floats, at -1 numbers of textures, which are
-    // denormals as floats (shared/bvh_record.h).
-    int slot = max(findLSB(left), 0);
-    left &= left - 1u;
-    note_run(effect_of_slot(slot));
-    DeviceTextureUse use = fetch_texture_use(point.vertices.w, uint(slot));
-    vec2 uv = interpolated_uv(point, use.uv_set);
-    vec2 place = vec2(use.m00 * uv.x + use.m01 * uv.y + use.m02, use.m10 * uv.x + use.m11 * uv.y + use.m12);
-    set_slot(texels, slot, sample_texture(use.texture, place));
-    texels.normal_uv_set = slot == TEXTURE_SLOT_NORMAL ? use.uv_set : texels.normal_uv_set;
+  uint round = 0u;
+  if (left != 0u) {
+    for (;;) {
+      // A lane without a slot works on beside the others: at slot 0 it finds floats, at -1 numbers of textures, which are
+      // denormals as floats (shared/bvh_record.h).
+      int slot = max(findLSB(left), 0);
+      left &= left - 1u;
+      note_run(effect_of_slot(slot));
+      DeviceTextureUse use = fetch_texture_use(point.vertices.w, uint(slot));
+      vec2 uv = interpolated_uv(point, use.uv_set);
+      vec2 place = vec2(use.m00 * uv.x + use.m01 * uv.y + use.m02, use.m10 * uv.x + use.m11 * uv.y + use.m12);
+      set_slot(texels, slot, sample_texture(use.texture, place));
+      texels.normal_uv_set = slot == TEXTURE_SLOT_NORMAL ? use.uv_set : texels.normal_uv_set;
+      round++;
+      if (left == 0u || round >= uint(TEXTURE_SLOT_COUNT)) break;
+    }
   }
   texels.finished = left == 0u;
   return texels;

@@ -36,8 +36,6 @@ THREAD_PRIVATE uint g0, g1, g2, g3, g4, g5, g6, g7, g8, g9, g10, g11, g12, g13, 
 // all the same, since the way back out of them hangs on the count, and so is one that a seeded fault makes too short.
 bool counts_stack() { return !SHIFT_STACK || INSTANCED || mutated(MUTATION_SHORT_STACK); }
 
-bool stack_is_empty(IN(uint) count) { return counts_stack() ? count == 0u : g0 == 0u; }
-
 // Makes the stack one without entries.
 void clear_stack() {
   if (!counts_stack()) {
@@ -46,22 +44,27 @@ void clear_stack() {
   }
 }
 
+// The group on top of `count` entries; 0, which no group is, where there is none.
+uint top_group(IN(uint) count) {
+  if (SHIFT_STACK) return counts_stack() && count == 0u ? 0u : g0;
+  return count == 0u ? 0u : traversal_groups[max(count, 1u) - 1u];
+}
+
 // Adds `group` on top of `count` entries.
-void push_group(IN(uint) count, IN(uint) group) {
+void push_group(INOUT(uint) count, IN(uint) group) {
   if (SHIFT_STACK) {
     SHIFT_UP
     g0 = group;
   } else {
     traversal_groups[count] = group;
   }
+  if (counts_stack()) count++;
 }
 
-// Takes the top entry off; `count` is the number of entries without it.
-uint pop_group(IN(uint) count) {
-  if (!SHIFT_STACK) return traversal_groups[count];
-  uint group = g0;
-  SHIFT_DOWN
-  return group;
+// Takes the top entry off, where there is one.
+void pop_group(INOUT(uint) count) {
+  if (SHIFT_STACK) SHIFT_DOWN
+  if (counts_stack() && count > 0u) count--;
 }
 
 #endif

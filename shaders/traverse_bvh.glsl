@@ -35,20 +35,15 @@ struct Cursor {
 void advance(INOUT(Cursor) cursor, IN(bool) descend, IN(ivec4) entries, IN(uint) child_base) {
   bool down = descend && entries.x != SLAB_MISS;
   bool has_rest = group_count(cursor.group) > 0u;
-  bool push = down && has_rest && !(mutated(MUTATION_SHORT_STACK) && cursor.stack_count >= 2u);
-  bool pop = !down && !has_rest;
-  if (push) {
-    push_group(cursor.stack_count, cursor.group);
-    if (counts_stack()) cursor.stack_count++;
-  }
-  cursor.running = cursor.running && !(pop && stack_is_empty(cursor.stack_count));
-  if (pop && cursor.running) {
-    if (counts_stack()) cursor.stack_count--;
-    cursor.group = pop_group(cursor.stack_count);
-  }
+  // What comes where nothing is below, asked for before that is known: rounds wait for the record that comes next.
+  uint other = cursor.group;
+  if (!has_rest) other = top_group(cursor.stack_count);
+  cursor.running = cursor.running && (down || other != 0u);
+  if (down && has_rest && !(mutated(MUTATION_SHORT_STACK) && cursor.stack_count >= 2u)) push_group(cursor.stack_count, cursor.group);
+  if (!down && !has_rest) pop_group(cursor.stack_count);
   uint rest = group_of_rest(entries, child_base);
-  cursor.record = down ? child_base + uint(entries.x & 3) : group_next(cursor.group);
-  cursor.group = down ? rest : without_next(cursor.group);
+  cursor.record = down ? child_base + uint(entries.x & 3) : group_next(other);
+  cursor.group = down ? rest : without_next(other);
 }
 
 // A ray as a tree sees it.
@@ -73,9 +68,14 @@ uint first_texel(IN(uint) record) { return (record << steering_constants().one) 
 
 // Follows `ray`, which is `above` in the scene's tree, to the end of the search or to an instance.
 void search_trees(IN(Search) search, IN(TreeRay) above, INOUT(TreeRay) ray, INOUT(Tree) tree, INOUT(Cursor) cursor, INOUT(Found) found) {
-  // Records are fewer than the limit, which compilers cannot know (loop_limit.glsl).
-  while (cursor.running && cursor.record < LOOP_ROUND_LIMIT) {
+  // The end is tested for what is known before the triangle test, since the next round would wait for that: a search that stops
+  // at a triangle has another round, in which it tests none. It is tested behind the body on llvmpipe (loop_limit.glsl) and
+  // before it elsewhere: SwiftShader loses hits where this loop ends behind its body.
+  bool goes_on = true;
+  for (;;) {
+    if (!SHIFT_STACK && !goes_on) break;
     uint record = cursor.record;
+    bool searching = cursor.running;
     uint first = first_texel(record);
     uvec4 a = load_record(first);
     uvec4 b = load_record(first + 1u);
@@ -89,36 +89,38 @@ void search_trees(IN(Search) search, IN(TreeRay) above, INOUT(TreeRay) ray, INOU
     uint triangle = INSTANCED ? tree.first_triangle + c.w : c.w;
     bool accepted = intersect_triangle(ray.sheared, uintBitsToFloat(uvec3(a.x, a.y, a.z)), uintBitsToFloat(uvec3(b.x, b.y, b.z)),
                                        uintBitsToFloat(uvec3(c.x, c.y, c.z)), triangle,
-                                       record | (a.w & BVH_TRIANGLE_NOT_OPAQUE), is_triangle ? search.t_min : LARGEST_FLOAT,
+                                       record | (a.w & BVH_TRIANGLE_NOT_OPAQUE), is_triangle && searching ? search.t_min : LARGEST_FLOAT,
                                        search.after_triangle, found.hit);
     bool opaque = (a.w & BVH_TRIANGLE_NOT_OPAQUE) == 0u;
     if (COUNT_COST) {
-      found.nodes += is_triangle ? 0u : 1u;
-      found.triangles += is_triangle ? 1u : 0u;
+      found.nodes += searching && !is_triangle ? 1u : 0u;
+      found.triangles += searching && is_triangle ? 1u : 0u;
     }
+    // Records are fewer than the limit, which compilers cannot know.
+    goes_on = cursor.running && record < LOOP_ROUND_LIMIT;
     cursor.running = cursor.running && !(search.stop_at_opaque && accepted && opaque);
     if (INSTANCED) {
       found.hit.instance = accepted ? tree.instance : found.hit.instance;
       // Mapping a ray takes half as long as a record, and llvmpipe would do it for every one: lanes wait here until no other
       // has anything else to do. The way back is only selects.
-      bool enters = (a.w & BVH_INSTANCE) != 0u && entries.x != SLAB_MISS;
+      bool enters = (a.w & BVH_INSTANCE) != 0u && entries.x != SLAB_MISS && searching;
       tree.entered = enters ? b.w >> BVH_INSTANCE_SHIFT : NONE;
-      cursor.running = cursor.running && !enters;
+      goes_on = goes_on && !enters;
       if (cursor.stack_count < tree.stack_floor) {
         ray = above;
         tree = Tree(INSTANCE_WORLD, 0u, 0u, tree.entered);
       }
     }
+    if (SHIFT_STACK && !goes_on) break;
   }
 }
 
 // Goes into the instance that was met; false where none was.
-bool enter_instance(IN(Ray) ray, INOUT(TreeRay) mapped, INOUT(Tree) tree, INOUT(Cursor) cursor) {
+bool enter_instance(IN(Ray) ray, INOUT(TreeRay) mapped, INOUT(Tree) tree, IN(Cursor) cursor) {
   bool enters = tree.entered != NONE;
   if (enters) {
     mapped = tree_ray(ray_in_instance(ray, tree.entered));
     tree = Tree(tree.entered, fetch_instance_words(tree.entered).x, cursor.stack_count, NONE);
-    cursor.running = true;
   }
   return enters;
 }
@@ -129,19 +131,23 @@ Found traverse_bvh(IN(Search) search) {
   TreeRay ray = above;
   Tree tree = Tree(INSTANCE_WORLD, 0u, 0u, NONE);
   Found found = Found(no_hit(search.t_max), false, true, 0u, 0u);
-  Cursor cursor = Cursor(0u, 0u, 0u, scene_has_triangles() && is_valid_ray(search.ray));
-  bool again = false;
+  Cursor cursor = Cursor(0u, 0u, 0u, false);
   clear_stack();
-  if (INSTANCED) {
-    again = cursor.running;
-    for (uint entered = 0u; again && entered < LOOP_ROUND_LIMIT; entered++) {
+  if (scene_has_triangles() && is_valid_ray(search.ray)) {
+    cursor.running = true;
+    if (INSTANCED) {
+      uint entered = 0u;
+      for (;;) {
+        search_trees(search, above, ray, tree, cursor, found);
+        bool again = enter_instance(search.ray, ray, tree, cursor);
+        entered++;
+        if (!again || entered >= LOOP_ROUND_LIMIT) break;
+      }
+    } else {
       search_trees(search, above, ray, tree, cursor, found);
-      again = enter_instance(search.ray, ray, tree, cursor);
     }
-  } else {
-    search_trees(search, above, ray, tree, cursor, found);
   }
-  found.finished = !cursor.running && !again;
+  found.finished = !cursor.running;
   found.is_opaque = found.hit.triangle != NONE && (found.hit.record & BVH_TRIANGLE_NOT_OPAQUE) == 0u;
   if (found.hit.triangle != NONE) found.hit.record &= ~BVH_TRIANGLE_NOT_OPAQUE;
   return found;
