@@ -10,6 +10,7 @@ struct SlabRay {
   vec3 origin;
   int largest;      // axis of the largest component of the direction
   vec3 inverse;     // 1 / direction, components at most 2^80 in size, the sign bit that of the direction
+  vec3 bound;       // in a coarse BVH, by which planes are moved outwards
   bvec3 backwards;  // sign bit of the direction: the far plane is the lower one
 };
 
@@ -29,6 +30,16 @@ float bounded_reciprocal(IN(float) d) {
   return bounded_inverse(d);
 }
 
+// Sizes that the planes of a coarse BVH have between them, in [-1, 1] and the cells of grids that reach beyond: 1 of a grid's origin
+// and 2 of what is added to it, with some to spare.
+const float COARSE_REACH = 4.0f;
+
+// How far planes are moved outwards for the roundings of their t, which is summed up from sizes that are `reach` together.
+vec3 slab_bound(IN(vec3) reach, IN(int) largest) {
+  if (level_at(SPOT_BOX) == LEVEL_FAST) return vec3(0.0f);
+  return (reach + vec3(axis_of(reach, largest))) * gamma_bound(SLAB_ROUNDINGS);
+}
+
 // `ray` prepared for slab tests.
 SlabRay slab_ray(IN(Ray) ray) {
   SlabRay slab;
@@ -38,25 +49,19 @@ SlabRay slab_ray(IN(Ray) ray) {
                       bounded_reciprocal(ray.direction.z));
   slab.backwards = bvec3(floatBitsToInt(slab.inverse.x) < 0, floatBitsToInt(slab.inverse.y) < 0,
                          floatBitsToInt(slab.inverse.z) < 0);
+  slab.bound = slab_bound((abs(ray.origin) + vec3(COARSE_REACH)) * abs(slab.inverse), slab.largest);
   return slab;
 }
 
-// Planes of one axis as t = byte * cell + near (far): `cell` per quantisation step, near and far moved outwards by their
-// error bound, which covers the cancellation between the grid origin and the bytes (not at the fast level).
+// Planes of one axis as t = byte * cell + near (far): `cell` per quantisation step, near and far moved outwards by a
+// bound of their error, which covers the cancellation between the grid origin and the bytes.
 struct SlabAxis {
   float cell;
   float near;
   float far;
 };
 
-// How far the planes of an axis lie away at most, in units of t.
-float slab_reach(IN(float) start, IN(float) cell) { return abs(start) + 255.0f * abs(cell); }
-
-SlabAxis slab_axis(IN(float) start, IN(float) cell, IN(float) reach) {
-  float bound = (slab_reach(start, cell) + reach) * gamma_bound(SLAB_ROUNDINGS);
-  if (level_at(SPOT_BOX) == LEVEL_FAST) bound = 0.0f;
-  return SlabAxis(cell, start - bound, start + bound);
-}
+SlabAxis slab_axis(IN(float) start, IN(float) cell, IN(float) bound) { return SlabAxis(cell, start - bound, start + bound); }
 
 float byte_of(IN(uint) word, IN(uint) slot) { return float((word >> (8u * slot)) & 255u); }
 
@@ -79,10 +84,11 @@ int child_entry(IN(uint) slot, IN(uint) child_count, IN(SlabAxis) x, IN(SlabAxis
 ivec4 intersect_children(IN(SlabRay) ray, IN(uvec4) a, IN(uvec4) b, IN(uvec4) c, IN(float) t_min, IN(float) t_max) {
   vec3 start = (uintBitsToFloat(uvec3(a.x, a.y, a.z)) - ray.origin) * ray.inverse;
   vec3 cell = uintBitsToFloat(uvec3((a.w << 23) & 0x7f800000u, (a.w << 15) & 0x7f800000u, (a.w << 7) & 0x7f800000u)) * ray.inverse;
-  float depth = slab_reach(axis_of(start, ray.largest), axis_of(cell, ray.largest));
-  SlabAxis x = slab_axis(start.x, cell.x, depth);
-  SlabAxis y = slab_axis(start.y, cell.y, depth);
-  SlabAxis z = slab_axis(start.z, cell.z, depth);
+  vec3 bound = ray.bound;
+  if (!COARSE) bound = slab_bound(abs(start) + 255.0f * abs(cell), ray.largest);
+  SlabAxis x = slab_axis(start.x, cell.x, bound.x);
+  SlabAxis y = slab_axis(start.y, cell.y, bound.y);
+  SlabAxis z = slab_axis(start.z, cell.z, bound.z);
   uvec3 near_bytes = uvec3(ray.backwards.x ? b.y : b.x, ray.backwards.y ? b.w : b.z, ray.backwards.z ? c.y : c.x);
   uvec3 far_bytes = uvec3(ray.backwards.x ? b.x : b.y, ray.backwards.y ? b.z : b.w, ray.backwards.z ? c.x : c.y);
   int t_lo = floatBitsToInt(t_min);

@@ -14,6 +14,7 @@
 #define SPECIALIZATION_LISTED_PIXELS 9    // the dispatch has a list of its pixels instead of the whole tile
 #define SPECIALIZATION_INSTANCED 10       // the BVH has instances (bvh_record.h)
 #define SPECIALIZATION_WORKFLOWS 11       // OR of 1 << WORKFLOW_*: those that materials of the scene have
+#define SPECIALIZATION_COARSE 12          // rays pad the boxes of the BVH by one bound each (src/bvh/coarse.h)
 
 // Entries that the shifted stack has at most (traversal_stack.glsl).
 #define SHIFT_STACK_MAX_SIZE 24u

@@ -6,6 +6,7 @@
 
 #include "bvh/area_tree.h"
 #include "bvh/box.h"
+#include "bvh/coarse.h"
 #include "bvh/morton_tree.h"
 #include "bvh/reinsertion.h"
 
@@ -53,6 +54,7 @@ BinaryTree build_binary_tree(std::span<const BvhTriangle> triangles, BuildMethod
     return tree;
   }
   tree.bounds = box_from(references.bounds.box);
+  tree.coarse = is_coarse(tree.bounds, references.fine_count, references.all.size());
   if (references.all.size() == 1) {
     tree.root = kLeafBit | triangle_index(references.all[0]);
   } else {

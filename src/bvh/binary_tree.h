@@ -39,6 +39,7 @@ struct BinaryTree {
   BinaryChild root = 0;          ///< meaningless for an empty tree
   Box bounds;
   double sah_cost = 0.0;  ///< see Bvh
+  bool coarse = false;    ///< see Bvh
 };
 
 /// How many triangles are below the left child of node `node_index`, which has `leaf_count` below itself.

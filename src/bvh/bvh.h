@@ -32,6 +32,7 @@ struct Bvh {
   std::uint32_t triangle_count = 0;
   std::uint32_t node_count = 0;      ///< instances too
   std::uint32_t instance_count = 0;  ///< of trees in the tree (instance_tree.h)
+  bool coarse = false;               ///< rays may pad all boxes by one bound each (coarse.h)
   /// Nodes on the longest way from the root to a triangle: the root over triangles has depth 1. Below an instance its
   /// tree's own nodes count on. A traversal that keeps the unvisited siblings of one level as one group, and pushes the
   /// group it holds when it goes down a level, pushes nothing at the root and once at most at each further node: depth

@@ -6,6 +6,7 @@
 
 #include "bvh/box.h"
 #include "bvh/check_triangles.h"
+#include "bvh/coarse.h"
 #include "bvh/decode_record.h"
 #include "bvh/quantize_node.h"
 #include "shared/bvh_record.h"
@@ -107,6 +108,7 @@ class TreeCheck {
     if (bvh_.node_count != node_count || bvh_.triangle_count != bvh_.records.size() - node_count) {
       return "node_count or triangle_count is wrong";
     }
+    if (bvh_.coarse && !is_coarse(bvh_.bounds, 0, 1)) return "rays count on other bounds";
     return bvh_.depth == depth ? "" : "depth is " + std::to_string(bvh_.depth) + ", not " + std::to_string(depth);
   }
 

@@ -148,6 +148,7 @@ Bvh encode_bvh(const BinaryTree& tree, const CollapsePlans& plans, std::span<con
   bvh.triangle_count = tree.leaf_count;
   bvh.node_count = static_cast<std::uint32_t>(bvh.records.size()) - tree.leaf_count;
   bvh.sah_cost = tree.sah_cost;
+  bvh.coarse = tree.coarse;
 
   const Encoder encoder(tree, plans, triangles, not_opaque, bvh.records);
   std::vector<Task> upper = {{tree.root, tree.leaf_count, 0, 1, 1, false}};

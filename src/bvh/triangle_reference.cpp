@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "bvh/box.h"
+#include "bvh/coarse.h"
 #include "bvh/zero_area.h"
 
 namespace vernier {
@@ -16,6 +17,7 @@ struct Chunk {
   std::size_t count = 0;
   ReferenceBounds bounds;
   double half_area_sum = 0.0;
+  std::size_t fine_count = 0;
 };
 
 TriangleReference make_reference(const BvhTriangle& triangle, std::uint32_t index) {
@@ -34,7 +36,9 @@ Chunk fill_chunk(std::span<const BvhTriangle> triangles, std::size_t first, std:
     }
     const TriangleReference reference = make_reference(triangle, static_cast<std::uint32_t>(i));
     chunk.bounds.grow(reference);
-    chunk.half_area_sum += half_area(triangle_bounds(triangle));
+    const Box box = triangle_bounds(triangle);
+    chunk.half_area_sum += half_area(box);
+    chunk.fine_count += is_fine(box) ? 1 : 0;
     references[chunk.count++] = reference;
   }
   return chunk;
@@ -69,6 +73,7 @@ TriangleReferences make_references(std::span<const BvhTriangle> triangles, Threa
     references.bounds.box.grow(chunks[i].bounds.box);
     references.bounds.centres.grow(chunks[i].bounds.centres);
     references.half_area_sum += chunks[i].half_area_sum;
+    references.fine_count += chunks[i].fine_count;
   }
   references.all = references.all.first(count);
   return references;

@@ -46,6 +46,7 @@ struct TriangleReferences {
   std::span<TriangleReference> all;
   ReferenceBounds bounds;
   double half_area_sum = 0.0;  ///< of the triangles' boxes, added in the same order for every thread count
+  std::size_t fine_count = 0;  ///< triangles that is_fine holds for (coarse.h)
 };
 
 /// Makes the references on the threads of `team` in 32 bytes of `workspace` per triangle. Fewer than 2^31 triangles

@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cli/run_command_line.h"
 #include "cli/version.h"
+#include "gpu/vector_width.h"
 
 int main(int argc, char** argv) {
   using namespace vernier;
@@ -23,5 +24,9 @@ int main(int argc, char** argv) {
   add_rerun_command(app, chosen);
   add_devices_command(app, chosen);
   add_verify_command(app, chosen);
-  return run_command_line(app, chosen, argc, argv);
+  const Command prepared = [&] {
+    if (!app.got_subcommand("view")) choose_vector_width();  // the window's program looks at the caller's environment
+    return chosen();
+  };
+  return run_command_line(app, prepared, argc, argv);
 }

@@ -5,6 +5,7 @@
 #include "cli/json_text.h"
 #include "cli/read_recipe.h"
 #include "error.h"
+#include "gpu/vector_width.h"
 
 namespace vernier {
 namespace {
@@ -28,7 +29,7 @@ constexpr std::array kFields = {
 
 std::string value_of(const Metadata& metadata, const char* name) {
   const auto entry = metadata.find(name);
-  return entry == metadata.end() ? "" : entry->second;
+  return entry == metadata.end() ? "" : without_vector_width(entry->second);
 }
 
 std::string text_of(const nlohmann::ordered_json& options, const std::string& name) {

@@ -10,6 +10,7 @@
 #include "cli/rendered_image.h"
 #include "cli/warnings.h"
 #include "error.h"
+#include "gpu/vector_width.h"
 #include "image/layer_differences.h"
 #include "image/read_image.h"
 #include "image/write_image.h"
@@ -59,7 +60,9 @@ ImageFile through_file(const std::string& file, const std::string& layer, const 
 void warn_of_other_maker(const ImageFile& original, const ImageFile& image) {
   for (const char* name : {"vernier:version", "vernier:device", "vernier:driver", "vernier:spirv_hash"}) {
     const auto before = original.metadata.find(name), now = image.metadata.find(name);
-    if (before == original.metadata.end() || now == image.metadata.end() || before->second == now->second) continue;
+    if (before == original.metadata.end() || now == image.metadata.end() ||
+        without_vector_width(before->second) == now->second)
+      continue;
     print_warnings({std::string(name) + " was `" + before->second + "` and is `" + now->second + "`"});
   }
 }

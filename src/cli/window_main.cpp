@@ -13,6 +13,7 @@
 #include "cli/view_options.h"
 #include "cli/warnings.h"
 #include "error.h"
+#include "gpu/vector_width.h"
 #include "preview/viewer.h"
 
 namespace vernier {
@@ -82,6 +83,7 @@ void view(const ViewArguments& arguments) {
 
 int main(int argc, char** argv) {
   using namespace vernier;
+  keep_vectors_narrow();
   CLI::App app("The window of vernier view.", "vernier");
   app.require_subcommand(1);
   ViewArguments arguments;

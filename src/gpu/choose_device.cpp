@@ -5,6 +5,7 @@
 
 #include "error.h"
 #include "gpu/device.h"
+#include "gpu/vector_width.h"
 
 namespace vernier {
 namespace {
@@ -32,10 +33,11 @@ std::string listing(const std::vector<DeviceDescription>& devices) {
   return out;
 }
 
-const DeviceDescription* best_usable(const std::vector<DeviceDescription>& devices, const std::string& name_part) {
+const DeviceDescription* best_usable(const std::vector<DeviceDescription>& devices, const std::string& selector) {
+  const std::string name_part = lower_case(without_vector_width(selector));
   const DeviceDescription* best = nullptr;
   for (const DeviceDescription& device : devices) {
-    if (!device.usable || lower_case(device.name).find(lower_case(name_part)) == std::string::npos) continue;
+    if (!device.usable || lower_case(device.name).find(name_part) == std::string::npos) continue;
     if (best == nullptr || preference(device) < preference(*best)) best = &device;
   }
   return best;

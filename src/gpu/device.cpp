@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "error.h"
+#include "gpu/vector_width.h"
 
 namespace vernier {
 namespace {
@@ -137,7 +138,7 @@ DeviceDescription describe(const vk::raii::PhysicalDevice& physical, int index) 
   const vk::PhysicalDeviceProperties properties = physical.getProperties();
   DeviceDescription out;
   out.index = index;
-  out.name = properties.deviceName.data();
+  out.name = without_vector_width(properties.deviceName.data());
   out.kind = kind_name(properties.deviceType);
   out.is_cpu = properties.deviceType == vk::PhysicalDeviceType::eCpu;
   out.api_version = version_text(properties.apiVersion);

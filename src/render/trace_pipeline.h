@@ -22,6 +22,7 @@ struct TraceSpecialization {
   bool count_effects = false;                      ///< trace kernel only
   bool listed_pixels = false;                      ///< dispatches have a list of their pixels
   bool instanced = false;                          ///< the BVH has instances
+  bool coarse = false;                             ///< rays pad its boxes by one bound each (bvh/coarse.h)
   std::uint32_t workflows = ALL_WORKFLOWS;         ///< those of the scene's materials
   std::uint32_t levels = LEVELS_OF(LEVEL_ROBUST);  ///< numeric level of each spot (shared/accuracy.h)
   std::uint32_t mutation = MUTATION_NONE;          ///< seeded fault; a renderer has none
@@ -31,12 +32,13 @@ struct TraceSpecialization {
 struct SceneShape {
   std::uint32_t depth = 0;                  ///< of its BVH
   bool instanced = false;                   ///< its BVH has instances
+  bool coarse = false;                      ///< its BVH is coarse (bvh/coarse.h)
   std::uint32_t workflows = ALL_WORKFLOWS;  ///< OR of 1 << WORKFLOW_*: those of its materials at least
 };
 
 /// That of `packed`.
 inline SceneShape shape_of(const PackedScene& packed) {
-  return {packed.bvh.depth, packed.bvh.instance_count > 0, packed.workflows};
+  return {packed.bvh.depth, packed.bvh.instance_count > 0, packed.bvh.coarse, packed.workflows};
 }
 
 /// The levels of all spots at `accuracy`.

@@ -130,13 +130,14 @@ DispatchConstants RayScene::constants() const {
 const ComputePipeline& RayKernel::pipeline_for(const RayScene& scene, std::span<const Binding> bindings) {
   const DeviceDescription& device = setup_.device->description();
   const TraceSpecialization stack = specialize(0, scene.shape(), 0, true, device, setup_.traversal);
-  const std::pair key{stack.traversal_stack, stack.instanced};
+  const std::tuple key{stack.traversal_stack, stack.instanced, stack.coarse};
   const auto found = by_shape_.find(key);
   if (found != by_shape_.end()) return found->second;
   const std::vector<SpecializationValue> values{{SPECIALIZATION_EFFECTS, stack.effects},
                                                 {SPECIALIZATION_TRAVERSAL_STACK, stack.traversal_stack},
                                                 {SPECIALIZATION_SHIFT_STACK, stack.shift_stack ? 1u : 0u},
                                                 {SPECIALIZATION_INSTANCED, stack.instanced ? 1u : 0u},
+                                                {SPECIALIZATION_COARSE, stack.coarse ? 1u : 0u},
                                                 {SPECIALIZATION_COUNT_COST, 1u},
                                                 {SPECIALIZATION_LEVELS, setup_.levels},
                                                 {SPECIALIZATION_MUTATION, setup_.mutation},

@@ -4,6 +4,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "gpu/compute_pipeline.h"
@@ -59,7 +60,7 @@ class RayKernel {
 
   CaseSetup setup_;
   std::uint32_t function_;
-  std::map<std::pair<std::uint32_t, bool>, ComputePipeline> by_shape_;  // of the BVH
+  std::map<std::tuple<std::uint32_t, bool, bool>, ComputePipeline> by_shape_;  // of the BVH
 };
 
 /// Tests rays against records without a traversal (verify_triangles.comp): VERIFY_TRIANGLES against every one of them,

@@ -60,6 +60,19 @@ class RenderTest(ProgramTest):
         self.bytes_of("form.exr", "--traversal", "storage-array")
         self.check_done("rerun", "form.exr")
 
+    def test_no_width_of_the_driver_s_vectors_changes_a_bit(self):
+        plain = self.bytes_of("auto.exr")
+        for bits in [128, 256, 512]:
+            environment = {"MESA_SHADER_CACHE_DIR": str(self.folder / "cache"), "LP_NATIVE_VECTOR_WIDTH": str(bits)}
+            self.check_done("devices", "--json", "devices.json", environment=environment)
+            device = json.loads((self.folder / "devices.json").read_text())["devices"][0]
+            self.assertEqual(device["subgroup_size"], bits // 32)
+            self.check_done("render", SCENE, "-o", "other.exr", *SMALL, environment=environment)
+            self.assertEqual((self.folder / "other.exr").read_bytes(), plain, bits)
+        # Kernels that the driver keeps of one width may not be run for another.
+        kept = [list((self.folder / f"cache/vernier/mesa-{bits}-bits").iterdir()) for bits in [128, 256, 512]]
+        self.assertTrue(all(kept), kept)
+
     def test_ray_queries_draw_the_same_or_are_refused(self):
         self.check_done("devices", "--json", "devices.json")
         devices = json.loads((self.folder / "devices.json").read_text())["devices"]

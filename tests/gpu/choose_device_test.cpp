@@ -44,6 +44,7 @@ TEST(ChooseDevice, the_best_kind_and_the_lower_index_win) {
   EXPECT_EQ(choose_device(devices, "").index, 2);
   devices[2].kind = "other";
   EXPECT_EQ(choose_device(devices, "").index, 1) << "llvmpipe comes before other CPU devices";
+  EXPECT_EQ(choose_device(devices, "llvmpipe (LLVM 15, 256 bits)").index, 1) << "as a recipe of another width says";
   devices[1].usable = false;
   EXPECT_EQ(choose_device(devices, "").index, 0);
 }

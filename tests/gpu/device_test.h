@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gpu/device.h"
+#include "gpu/vector_width.h"
 
 namespace vernier {
 
@@ -23,7 +24,10 @@ inline std::string expected_device_name() {
 class TestedDevice : public testing::Environment {
  public:
   const VulkanInstance& instance() {
-    if (instance_ == nullptr) instance_ = std::make_unique<VulkanInstance>(true);
+    if (instance_ == nullptr) {
+      choose_vector_width();
+      instance_ = std::make_unique<VulkanInstance>(true);
+    }
     return *instance_;
   }
 

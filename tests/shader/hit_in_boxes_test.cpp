@@ -6,6 +6,7 @@
 #include <map>
 
 #include "shader/bound_bvh.h"
+#include "shader/coarse_kernel.h"
 #include "shader/random_values.h"
 #include "shader/shader.h"
 #include "unit/bvh/triangle_sets.h"
@@ -59,7 +60,15 @@ Ray grazing_ray(RandomValues& random, const BvhTriangle& triangle) {
   return Ray(origin, vec3(corner - glm::dvec3(origin)));
 }
 
-TEST(HitInBoxes, also_where_the_ray_runs_nearly_in_the_plane) {
+/// With boxes padded for each node, or by one bound of the ray.
+class HitInBoxes : public testing::TestWithParam<bool> {
+  CoarseKernel kernel_{GetParam()};
+};
+
+INSTANTIATE_TEST_SUITE_P(HitInBoxes, HitInBoxes, testing::Bool(),
+                         [](const auto& coarse) { return coarse.param ? "coarse" : "fine"; });
+
+TEST_P(HitInBoxes, also_where_the_ray_runs_nearly_in_the_plane) {
   RandomValues random(12);
   for (const uint level : {LEVEL_EXACT, LEVEL_ROBUST}) {
     LEVELS = LEVELS_OF(level);

@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "shader/coarse_kernel.h"
 #include "shader/random_values.h"
 #include "shader/shader.h"
 
@@ -76,7 +77,15 @@ Ray random_ray(RandomValues& random, const Node& node, int number) {
   return Ray(origin, direction);
 }
 
-TEST(IntersectBox, no_box_that_the_ray_meets_is_missed_and_few_others_are_met) {
+/// With boxes padded for each node, or by one bound of the ray.
+class IntersectBoxes : public testing::TestWithParam<bool> {
+  CoarseKernel kernel_{GetParam()};
+};
+
+INSTANTIATE_TEST_SUITE_P(IntersectBox, IntersectBoxes, testing::Bool(),
+                         [](const auto& coarse) { return coarse.param ? "coarse" : "fine"; });
+
+TEST_P(IntersectBoxes, no_box_that_the_ray_meets_is_missed_and_few_others_are_met) {
   RandomValues random(31);
   int met = 0, missed = 0, needless = 0;
   for (int i = 0; i < 200000; ++i) {
@@ -101,7 +110,7 @@ TEST(IntersectBox, no_box_that_the_ray_meets_is_missed_and_few_others_are_met) {
   EXPECT_LT(needless, missed / 1000);  // the padding is some millionths of the box
 }
 
-TEST(IntersectBox, children_come_nearest_first) {
+TEST_P(IntersectBoxes, children_come_nearest_first) {
   RandomValues random(32);
   for (int i = 0; i < 100000; ++i) {
     const Node node = random_node(random);

@@ -106,6 +106,10 @@ TEST_F(CheckBvh, NoticesWrongTotals) {
   expect_fault("node_count", [](Bvh& bvh) { ++bvh.node_count; });
   expect_fault("triangle_count", [](Bvh& bvh) { ++bvh.triangle_count; });
   expect_fault("bounds", [](Bvh& bvh) { bvh.bounds.hi.x += 1e-3f; });
+  expect_fault("rays count", [](Bvh& bvh) {
+    bvh.coarse = true;
+    bvh.bounds.hi.x = 2.0f;
+  });
   expect_fault("SAH cost", [](Bvh& bvh) { bvh.sah_cost = 1.0; });
   expect_fault("SAH cost", [](Bvh& bvh) { bvh.sah_cost = 1e6; });
 }

@@ -83,8 +83,14 @@ TEST(Specialize, what_the_scene_s_materials_are_is_known) {
   EXPECT_EQ(workflows(), 1u << WORKFLOW_BLINN);
   scene.materials.back().workflow = Workflow::specular_glossiness;
   EXPECT_EQ(workflows(), 1u << WORKFLOW_BLINN | 1u << WORKFLOW_SPECULAR_GLOSSINESS);
-  EXPECT_EQ(specialize(0, {3, false, 5u}, 1, false, {}).workflows, 5u);
+  EXPECT_EQ(specialize(0, {3, false, false, 5u}, 1, false, {}).workflows, 5u);
   EXPECT_EQ(specialize(0, {3}, 1, false, {}).workflows, ALL_WORKFLOWS);
+}
+
+TEST(Specialize, a_coarse_scene_is_known) {
+  EXPECT_TRUE(shape_of(pack_scene(test::tiny_scene(), 1)).coarse);
+  EXPECT_TRUE(specialize(0, {3, false, true}, 1, false, {}).coarse);
+  EXPECT_FALSE(specialize(0, {3}, 1, false, {}).coarse);
 }
 
 TEST(Specialize, effects_and_cost_pass_through) {

@@ -6,6 +6,8 @@
 // Prints one JSON object: the device, the tree, what rays cost in records and how many of them hit, rays of each tracer
 // whose answer is not that of Embree, and for each round and tracer the seconds of its passes. The round before them is
 // not told.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
@@ -15,6 +17,7 @@
 #include <string>
 
 #include "bvh/bvh_statistics.h"
+#include "gpu/vector_width.h"
 #include "ray_query_tracer.h"
 
 namespace vernier {
@@ -100,10 +103,27 @@ struct Arguments {
   RayView view;
 };
 
-nlohmann::json measure(const Arguments& arguments) {
+/// Halves or doubles the scene until it just lies in [-1, 1], as the renderer's do (pack_scene). No answer changes by
+/// that.
+void scale_into_traced_space(RawMesh& mesh, RayView& view) {
+  float largest = 0.0f;
+  for (const glm::vec3& p : mesh.positions) {
+    largest = std::max({largest, std::abs(p.x), std::abs(p.y), std::abs(p.z)});
+  }
+  int exponent = 0;
+  std::frexp(largest, &exponent);
+  const float scale = std::ldexp(1.0f, -exponent);
+  for (glm::vec3& p : mesh.positions) p *= scale;
+  view.eye *= scale;
+  view.light *= scale;
+}
+
+nlohmann::json measure(Arguments arguments) {
+  choose_vector_width();
   const VulkanInstance instance;
   const Device device(instance, choose_device(list_devices(instance), ""));
-  const RawMesh mesh = read_mesh(arguments.mesh);
+  RawMesh mesh = read_mesh(arguments.mesh);
+  scale_into_traced_space(mesh, arguments.view);
   const EmbreeTracer embree(mesh, RTC_BUILD_QUALITY_HIGH, arguments.threads);
   const EmbreeTracer medium(mesh, RTC_BUILD_QUALITY_MEDIUM, arguments.threads);
   const RaySets rays = make_rays(arguments.view, [&](const RatedRay& ray) { return embree.closest_hit(ray); });

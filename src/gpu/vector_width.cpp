@@ -1,0 +1,133 @@
+#include "gpu/vector_width.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+
+namespace vernier {
+namespace {
+
+constexpr const char* kVariable = "LP_NATIVE_VECTOR_WIDTH";
+
+constexpr const char* kWide = "512";
+// Mesa 22.3.6 crashes at the first triangle with more.
+constexpr const char* kNarrow = "256";
+
+// Between the 1 and the 1.5 that processors have.
+constexpr double kStillFast = 1.25;
+
+#if defined(__x86_64__)
+
+constexpr long kRounds = 2000;
+constexpr int kRuns = 12;
+
+// In assembly, so that a build without optimisation measures the same. Eight sums that do not wait for each other: more
+// than any processor works on at a time.
+#define ADD_TO_EIGHT(vector)                                       \
+  asm volatile("1: vpaddd %%" vector "0, %%" vector "0, %%" vector \
+               "0\n\t"                                             \
+               "vpaddd %%" vector "1, %%" vector "1, %%" vector    \
+               "1\n\t"                                             \
+               "vpaddd %%" vector "2, %%" vector "2, %%" vector    \
+               "2\n\t"                                             \
+               "vpaddd %%" vector "3, %%" vector "3, %%" vector    \
+               "3\n\t"                                             \
+               "vpaddd %%" vector "4, %%" vector "4, %%" vector    \
+               "4\n\t"                                             \
+               "vpaddd %%" vector "5, %%" vector "5, %%" vector    \
+               "5\n\t"                                             \
+               "vpaddd %%" vector "6, %%" vector "6, %%" vector    \
+               "6\n\t"                                             \
+               "vpaddd %%" vector "7, %%" vector "7, %%" vector    \
+               "7\n\t"                                             \
+               "dec %0\n\t"                                        \
+               "jnz 1b\n\t"                                        \
+               "vzeroupper"                                        \
+               : "+r"(rounds)                                      \
+               :                                                   \
+               : "cc", "xmm0", "xmm1", "xmm2", "xmm3", "xmm4", "xmm5", "xmm6", "xmm7")
+
+void add_256(long rounds) {
+  ADD_TO_EIGHT("ymm");
+}
+void add_512(long rounds) {
+  ADD_TO_EIGHT("zmm");
+}
+
+#undef ADD_TO_EIGHT
+
+double time_of(void (*add)(long)) {
+  const auto start = std::chrono::steady_clock::now();
+  add(kRounds);
+  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
+}
+
+#endif
+
+/// The folder that the driver makes its cache in, as it finds it. None where it would look up the user's home.
+std::optional<std::filesystem::path> cache_folder() {
+  if (const char* own = std::getenv("MESA_SHADER_CACHE_DIR")) return own;
+  if (const char* caches = std::getenv("XDG_CACHE_HOME")) return caches;
+  if (const char* home = std::getenv("HOME")) return std::filesystem::path(home) / ".cache";
+  return std::nullopt;
+}
+
+// Code of another width, taken from the cache, leaves every second row of a picture black (Mesa 25.0.7).
+void keep_caches_apart(const std::string& bits) {
+  const std::optional<std::filesystem::path> folder = cache_folder();
+  if (!folder) {
+    setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
+    return;
+  }
+  const std::filesystem::path own = *folder / "vernier" / ("mesa-" + bits + "-bits");
+  std::error_code failure;  // without it the driver does without a cache
+  std::filesystem::create_directories(own, failure);
+  setenv("MESA_SHADER_CACHE_DIR", own.c_str(), 1);
+}
+
+void set_width(const std::string& bits) {
+  setenv(kVariable, bits.c_str(), 1);
+  keep_caches_apart(bits);
+}
+
+}  // namespace
+
+std::optional<AdditionTimes> time_additions() {
+#if defined(__x86_64__)
+  if (!__builtin_cpu_supports("avx512f") || !__builtin_cpu_supports("avx512vl")) return std::nullopt;
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  AdditionTimes least{kNever, kNever};
+  for (int run = 0; run < kRuns; ++run) {
+    least.bits_256 = std::min(least.bits_256, time_of(add_256));
+    least.bits_512 = std::min(least.bits_512, time_of(add_512));
+  }
+  return least;
+#else
+  return std::nullopt;
+#endif
+}
+
+bool are_wide_vectors_fast(const AdditionTimes& times) {
+  return times.bits_512 < kStillFast * times.bits_256;
+}
+
+void choose_vector_width() {
+  const char* bits = std::getenv(kVariable);
+  if (bits != nullptr) return keep_caches_apart(bits);
+  const std::optional<AdditionTimes> times = time_additions();
+  if (times && are_wide_vectors_fast(*times)) set_width(kWide);
+}
+
+void keep_vectors_narrow() {
+  const char* bits = std::getenv(kVariable);
+  if (bits != nullptr) set_width(std::strtol(bits, nullptr, 10) > std::strtol(kNarrow, nullptr, 10) ? kNarrow : bits);
+}
+
+std::string without_vector_width(const std::string& name) {
+  const std::size_t comma = name.rfind(", ");
+  return comma != std::string::npos && name.ends_with(" bits)") ? name.substr(0, comma) + ")" : name;
+}
+
+}  // namespace vernier

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace vernier {
+
+/// Nanoseconds that as many additions of vectors take.
+struct AdditionTimes {
+  double bits_256;
+  double bits_512;
+};
+
+/// Measured on this processor: the least of several runs, 0.1 ms in all. None where it has no vectors of 512 bits.
+std::optional<AdditionTimes> time_additions();
+
+/// Whether a vector of 512 bits is as fast as one of 256: with half-wide units it takes twice as long (AMD Zen 4), with
+/// a unit less for them 1.5 times (Intel's Xeons), and llvmpipe then gains nothing or loses by them.
+bool are_wide_vectors_fast(const AdditionTimes& times);
+
+/// Has llvmpipe, Mesa's driver for processors, trace 16 rays at a time instead of 8 where the processor's wide vectors
+/// are fast. The driver reads that from the environment (LP_NATIVE_VECTOR_WIDTH) when it is loaded; what the caller's
+/// environment says stays. The driver's cache of kernels, which does not look at the width, gets a folder of its own
+/// for each that is set (MESA_SHADER_CACHE_DIR). To be called before there are threads and a VulkanInstance.
+void choose_vector_width();
+
+/// Takes back wide vectors that the environment asks llvmpipe for: it cannot draw triangles with them. To be called
+/// like choose_vector_width, by a program with a window.
+void keep_vectors_narrow();
+
+/// The name of a device without the width of its vectors, which llvmpipe tells in it, `llvmpipe (LLVM 15.0.6, 256
+/// bits)`: no bit of a picture hangs on that.
+std::string without_vector_width(const std::string& name);
+
+}  // namespace vernier

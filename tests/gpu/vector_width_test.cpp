@@ -1,0 +1,83 @@
+#include "gpu/vector_width.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "temporary_folder.h"
+
+namespace vernier {
+namespace {
+
+constexpr const char* kVariable = "LP_NATIVE_VECTOR_WIDTH";
+constexpr const char* kCache = "MESA_SHADER_CACHE_DIR";
+
+/// The environment is afterwards as it was before; within, caches lie in a folder of the case.
+class VectorWidthTest : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const char* name : {kVariable, kCache}) {
+      const char* value = std::getenv(name);
+      before_[name] = value != nullptr ? std::optional<std::string>(value) : std::nullopt;
+    }
+    unsetenv(kVariable);
+    setenv(kCache, folder_.path().c_str(), 1);
+  }
+  void TearDown() override {
+    for (const auto& [name, value] : before_) value ? setenv(name, value->c_str(), 1) : unsetenv(name);
+  }
+  std::string cache_of(const std::string& bits) const {
+    return (folder_.path() / "vernier" / ("mesa-" + bits + "-bits")).string();
+  }
+
+ private:
+  TemporaryFolder folder_;
+  std::map<const char*, std::optional<std::string>> before_;
+};
+
+TEST_F(VectorWidthTest, wide_vectors_have_to_be_as_fast_as_others) {
+  EXPECT_TRUE(are_wide_vectors_fast({1000, 1010}));
+  EXPECT_FALSE(are_wide_vectors_fast({1000, 1500})) << "two units instead of three";
+  EXPECT_FALSE(are_wide_vectors_fast({1000, 2000})) << "units of half the width";
+}
+
+TEST_F(VectorWidthTest, this_processor_is_measured_where_it_has_them) {
+  const std::optional<AdditionTimes> times = time_additions();
+  if (!times) GTEST_SKIP() << "no vectors of 512 bits";
+  EXPECT_GT(times->bits_256, 0);
+  EXPECT_GT(times->bits_512, 0);
+}
+
+TEST_F(VectorWidthTest, what_is_set_stays) {
+  setenv(kVariable, "128", 1);
+  choose_vector_width();
+  EXPECT_STREQ(std::getenv(kVariable), "128");
+  EXPECT_EQ(std::getenv(kCache), cache_of("128"));
+  EXPECT_TRUE(std::filesystem::is_directory(cache_of("128")));
+}
+
+TEST_F(VectorWidthTest, a_window_has_narrow_ones) {
+  keep_vectors_narrow();
+  EXPECT_EQ(std::getenv(kVariable), nullptr);
+  setenv(kVariable, "512", 1);
+  keep_vectors_narrow();
+  EXPECT_STREQ(std::getenv(kVariable), "256");
+  EXPECT_EQ(std::getenv(kCache), cache_of("256"));
+  setenv(kVariable, "128", 1);
+  keep_vectors_narrow();
+  EXPECT_STREQ(std::getenv(kVariable), "128");
+}
+
+TEST_F(VectorWidthTest, the_width_is_no_part_of_a_name) {
+  EXPECT_EQ(without_vector_width("llvmpipe (LLVM 15.0.6, 256 bits)"), "llvmpipe (LLVM 15.0.6)");
+  EXPECT_EQ(without_vector_width("llvmpipe (LLVM 15.0.6)"), "llvmpipe (LLVM 15.0.6)");
+  EXPECT_EQ(without_vector_width("Card, 12 bits"), "Card, 12 bits");
+  EXPECT_EQ(without_vector_width(""), "");
+}
+
+}  // namespace
+}  // namespace vernier
