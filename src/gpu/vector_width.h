@@ -14,8 +14,8 @@ struct AdditionTimes {
 /// Measured on this processor: the least of several runs, 0.1 ms in all. None where it has no vectors of 512 bits.
 std::optional<AdditionTimes> time_additions();
 
-/// Whether a vector of 512 bits is as fast as one of 256: with half-wide units it takes twice as long (AMD Zen 4), with
-/// a unit less for them 1.5 times (Intel's Xeons), and llvmpipe then gains nothing or loses by them.
+/// Whether a vector of 512 bits is as fast as one of 256. With units of half the width it takes twice as long, with a
+/// unit less for them 1.5 times (Intel's Xeons, where llvmpipe gained 2 % by them).
 bool are_wide_vectors_fast(const AdditionTimes& times);
 
 /// Has llvmpipe, Mesa's driver for processors, trace 16 rays at a time instead of 8 where the processor's wide vectors
