@@ -34,8 +34,10 @@ bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_vi
   // comparison takes the outcome for granted behind it, where llvmpipe may have left the loop without.
   bool looking = visit.next_light < light_count;
   uint round = 0u;
+  bool done = false;
   if (looking) {
     for (;;) {
+      if (!TEST_LAST && done) break;
       LightSample light = sample_light(fetch_light(visit.next_light), surface.position);
       visit.next_light++;
       float cosine = dot_product(surface.normal, light.direction);
@@ -53,7 +55,8 @@ bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_vi
       }
       looking = !found && visit.next_light < light_count;
       round++;
-      if (!looking || round >= LOOP_ROUND_LIMIT) break;
+      done = !looking || round >= LOOP_ROUND_LIMIT;
+      if (TEST_LAST && done) break;
     }
   }
   // Of the ray nothing matters where none was found.

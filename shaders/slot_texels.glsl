@@ -70,8 +70,10 @@ SlotTexels fetch_slot_texels(IN(TrianglePoint) point, IN(DeviceMaterial) materia
   if (readable_slots() == 0u) return texels;
   uint left = material.textured_slots & slots & readable_slots();
   uint round = 0u;
+  bool done = false;
   if (left != 0u) {
     for (;;) {
+      if (!TEST_LAST && done) break;
       // A lane without a slot works on beside the others: at slot 0 it finds floats, at -1 numbers of textures, which are
       // denormals as floats (shared/bvh_record.h).
       int slot = max(findLSB(left), 0);
@@ -83,7 +85,8 @@ SlotTexels fetch_slot_texels(IN(TrianglePoint) point, IN(DeviceMaterial) materia
       set_slot(texels, slot, sample_texture(use.texture, place));
       texels.normal_uv_set = slot == TEXTURE_SLOT_NORMAL ? use.uv_set : texels.normal_uv_set;
       round++;
-      if (left == 0u || round >= uint(TEXTURE_SLOT_COUNT)) break;
+      done = left == 0u || round >= uint(TEXTURE_SLOT_COUNT);
+      if (TEST_LAST && done) break;
     }
   }
   texels.finished = left == 0u;

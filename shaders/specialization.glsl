@@ -16,6 +16,7 @@ layout(constant_id = SPECIALIZATION_COUNT_EFFECTS) const bool COUNT_EFFECTS = fa
 layout(constant_id = SPECIALIZATION_LISTED_PIXELS) const bool LISTED_PIXELS = false;
 layout(constant_id = SPECIALIZATION_INSTANCED) const bool INSTANCED = false;
 layout(constant_id = SPECIALIZATION_COARSE) const bool COARSE = false;
+layout(constant_id = SPECIALIZATION_TEST_LAST) const bool TEST_LAST = false;
 layout(constant_id = SPECIALIZATION_WORKFLOWS) const uint WORKFLOWS = ALL_WORKFLOWS;
 
 layout(constant_id = SPECIALIZATION_LEVELS) const uint LEVELS = LEVELS_OF(LEVEL_ROBUST);

@@ -63,7 +63,9 @@ void push_group(INOUT(uint) count, IN(uint) group) {
 
 // Takes the top entry off, where there is one.
 void pop_group(INOUT(uint) count) {
-  if (SHIFT_STACK) SHIFT_DOWN
+  if (SHIFT_STACK) {
+    SHIFT_DOWN
+  }
   if (counts_stack() && count > 0u) count--;
 }
 

@@ -69,11 +69,10 @@ uint first_texel(IN(uint) record) { return (record << steering_constants().one) 
 // Follows `ray`, which is `above` in the scene's tree, to the end of the search or to an instance.
 void search_trees(IN(Search) search, IN(TreeRay) above, INOUT(TreeRay) ray, INOUT(Tree) tree, INOUT(Cursor) cursor, INOUT(Found) found) {
   // The end is tested for what is known before the triangle test, since the next round would wait for that: a search that stops
-  // at a triangle has another round, in which it tests none. It is tested behind the body on llvmpipe (loop_limit.glsl) and
-  // before it elsewhere: SwiftShader loses hits where this loop ends behind its body.
+  // at a triangle has another round, in which it tests none.
   bool goes_on = true;
   for (;;) {
-    if (!SHIFT_STACK && !goes_on) break;
+    if (!TEST_LAST && !goes_on) break;
     uint record = cursor.record;
     bool searching = cursor.running;
     uint first = first_texel(record);
@@ -111,7 +110,7 @@ void search_trees(IN(Search) search, IN(TreeRay) above, INOUT(TreeRay) ray, INOU
         tree = Tree(INSTANCE_WORLD, 0u, 0u, tree.entered);
       }
     }
-    if (SHIFT_STACK && !goes_on) break;
+    if (TEST_LAST && !goes_on) break;
   }
 }
 

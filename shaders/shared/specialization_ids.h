@@ -15,6 +15,7 @@
 #define SPECIALIZATION_INSTANCED 10       // the BVH has instances (bvh_record.h)
 #define SPECIALIZATION_WORKFLOWS 11       // OR of 1 << WORKFLOW_*: those that materials of the scene have
 #define SPECIALIZATION_COARSE 12          // rays pad the boxes of the BVH by one bound each (src/bvh/coarse.h)
+#define SPECIALIZATION_TEST_LAST 13       // loops test for their end behind their body (loop_limit.glsl)
 
 // Entries that the shifted stack has at most (traversal_stack.glsl).
 #define SHIFT_STACK_MAX_SIZE 24u

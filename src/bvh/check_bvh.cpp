@@ -108,7 +108,7 @@ class TreeCheck {
     if (bvh_.node_count != node_count || bvh_.triangle_count != bvh_.records.size() - node_count) {
       return "node_count or triangle_count is wrong";
     }
-    if (bvh_.coarse && !is_coarse(bvh_.bounds, 0, 1)) return "rays count on other bounds";
+    if (bvh_.coarse && !is_in_coarse_reach(bvh_.bounds)) return "rays count on other bounds";
     return bvh_.depth == depth ? "" : "depth is " + std::to_string(bvh_.depth) + ", not " + std::to_string(depth);
   }
 

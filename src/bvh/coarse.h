@@ -18,12 +18,17 @@ inline bool is_fine(const Box& box) {
   return added > 0.1 * half_area(box);
 }
 
-/// Whether rays may pad the boxes of a tree of `count` triangles within `bounds` by one bound each: it lies in [-1, 1]
-/// and a sixteenth more, which instances may take, and hardly a triangle (1 in 256) is fine.
-inline bool is_coarse(const Box& bounds, std::size_t fine_count, std::size_t count) {
-  constexpr float kReach = 1.0625f;
+/// Whether `bounds` lie in [-1, 1] and a sixteenth more, which instances may take: what COARSE_REACH in
+/// shaders/intersect_box.glsl counts on.
+inline bool is_in_coarse_reach(const Box& bounds) {
   const glm::vec3 reach = glm::max(glm::abs(bounds.lo), glm::abs(bounds.hi));
-  return std::max(reach.x, std::max(reach.y, reach.z)) <= kReach && 256 * fine_count <= count;
+  return std::max(reach.x, std::max(reach.y, reach.z)) <= 1.0625f;
+}
+
+/// Whether rays may pad the boxes of a tree of `count` triangles within `bounds` by one bound each: it is in reach, and
+/// hardly a triangle (1 in 256) is fine.
+inline bool is_coarse(const Box& bounds, std::size_t fine_count, std::size_t count) {
+  return is_in_coarse_reach(bounds) && 256 * fine_count <= count;
 }
 
 }  // namespace vernier

@@ -88,7 +88,7 @@ Bvh build_instance_tree(std::vector<BvhTriangle> triangles, std::span<const std:
     costs[i] = objects[i].bvh.sah_cost;
     if (!used[i]) continue;
     append(objects[i], bvh);
-    bvh.coarse = bvh.coarse && objects[i].bvh.coarse;
+    bvh.coarse = bvh.coarse && (objects[i].bvh.records.empty() || objects[i].bvh.coarse);
     deepest = std::max(deepest, objects[i].bvh.depth);
     objects[i].bvh = {};
   }

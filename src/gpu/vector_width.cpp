@@ -11,9 +11,12 @@ namespace {
 
 constexpr const char* kVariable = "LP_NATIVE_VECTOR_WIDTH";
 
-constexpr const char* kWide = "512";
+constexpr const char* kCacheVariable = "MESA_SHADER_CACHE_DIR";
+constexpr const char* kOwnPrefix = "mesa-";
+
+constexpr long kWide = 512;
 // Mesa 22.3.6 crashes at the first triangle with more.
-constexpr const char* kNarrow = "256";
+constexpr long kNarrow = 256;
 
 // Between the 1 and the 1.5 that processors have.
 constexpr double kStillFast = 1.25;
@@ -66,30 +69,39 @@ double time_of(void (*add)(long)) {
 
 #endif
 
-/// The folder that the driver makes its cache in, as it finds it. None where it would look up the user's home.
-std::optional<std::filesystem::path> cache_folder() {
-  if (const char* own = std::getenv("MESA_SHADER_CACHE_DIR")) return own;
-  if (const char* caches = std::getenv("XDG_CACHE_HOME")) return caches;
-  if (const char* home = std::getenv("HOME")) return std::filesystem::path(home) / ".cache";
-  return std::nullopt;
+/// The width that the environment asks for; 0 for none.
+long width_asked_for() {
+  const char* value = std::getenv(kVariable);
+  return value != nullptr ? std::strtol(value, nullptr, 0) : 0;
 }
 
-// Code of another width, taken from the cache, leaves every second row of a picture black (Mesa 25.0.7).
-void keep_caches_apart(const std::string& bits) {
-  const std::optional<std::filesystem::path> folder = cache_folder();
-  if (!folder) {
+/// The folder that the driver would make its cache in. None where it would look up the user's home, or where it is no
+/// absolute one.
+std::filesystem::path cache_folder() {
+  for (const char* name : {kCacheVariable, "XDG_CACHE_HOME", "HOME"}) {
+    const char* value = std::getenv(name);
+    std::filesystem::path folder = value != nullptr ? value : "";
+    if (!folder.is_absolute()) continue;
+    // As this function has left it for a process that started this one.
+    if (folder.filename().string().starts_with(kOwnPrefix)) return folder.parent_path().parent_path();
+    return std::string_view(name) == "HOME" ? folder / ".cache" : folder;
+  }
+  return {};
+}
+
+/// Sets the width and a cache for it: code of another one, taken from the cache, leaves every second row of a picture
+/// black (Mesa 25.0.7).
+void set_width(long bits) {
+  setenv(kVariable, std::to_string(bits).c_str(), 1);
+  const std::filesystem::path folder = cache_folder();
+  if (folder.empty()) {
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     return;
   }
-  const std::filesystem::path own = *folder / "vernier" / ("mesa-" + bits + "-bits");
+  const std::filesystem::path own = folder / "vernier" / (kOwnPrefix + std::to_string(bits) + "-bits");
   std::error_code failure;  // without it the driver does without a cache
   std::filesystem::create_directories(own, failure);
-  setenv("MESA_SHADER_CACHE_DIR", own.c_str(), 1);
-}
-
-void set_width(const std::string& bits) {
-  setenv(kVariable, bits.c_str(), 1);
-  keep_caches_apart(bits);
+  setenv(kCacheVariable, own.c_str(), 1);
 }
 
 }  // namespace
@@ -114,15 +126,13 @@ bool are_wide_vectors_fast(const AdditionTimes& times) {
 }
 
 void choose_vector_width() {
-  const char* bits = std::getenv(kVariable);
-  if (bits != nullptr) return keep_caches_apart(bits);
+  if (const long bits = width_asked_for(); bits > 0) return set_width(bits);
   const std::optional<AdditionTimes> times = time_additions();
   if (times && are_wide_vectors_fast(*times)) set_width(kWide);
 }
 
 void keep_vectors_narrow() {
-  const char* bits = std::getenv(kVariable);
-  if (bits != nullptr) set_width(std::strtol(bits, nullptr, 10) > std::strtol(kNarrow, nullptr, 10) ? kNarrow : bits);
+  if (const long bits = width_asked_for(); bits > 0) set_width(std::min(bits, kNarrow));
 }
 
 std::string without_vector_width(const std::string& name) {

@@ -11,7 +11,7 @@ struct AdditionTimes {
   double bits_512;
 };
 
-/// Measured on this processor: the least of several runs, 0.1 ms in all. None where it has no vectors of 512 bits.
+/// Measured on this processor: the least of several runs, 0.04 ms in all. None where it has no vectors of 512 bits.
 std::optional<AdditionTimes> time_additions();
 
 /// Whether a vector of 512 bits is as fast as one of 256. With units of half the width it takes twice as long, with a
@@ -21,7 +21,8 @@ bool are_wide_vectors_fast(const AdditionTimes& times);
 /// Has llvmpipe, Mesa's driver for processors, trace 16 rays at a time instead of 8 where the processor's wide vectors
 /// are fast. The driver reads that from the environment (LP_NATIVE_VECTOR_WIDTH) when it is loaded; what the caller's
 /// environment says stays. The driver's cache of kernels, which does not look at the width, gets a folder of its own
-/// for each that is set (MESA_SHADER_CACHE_DIR). To be called before there are threads and a VulkanInstance.
+/// for each that is set (MESA_SHADER_CACHE_DIR, which Mesa's other drivers go by as well). To be called before there
+/// are threads and a VulkanInstance.
 void choose_vector_width();
 
 /// Takes back wide vectors that the environment asks llvmpipe for: it cannot draw triangles with them. To be called

@@ -66,6 +66,7 @@ TraceSpecialization specialize(std::uint32_t effects, const SceneShape& scene, s
   values.shift_stack = shifts_stack(device, form) && scene.depth <= SHIFT_STACK_MAX_SIZE;
   values.instanced = scene.instanced;
   values.coarse = scene.coarse;
+  values.test_last = device.is_llvmpipe;
   values.workflows = scene.workflows;
   values.path_stack = waiting_rays(effects, max_bounces);
   values.count_cost = count_cost;
@@ -75,7 +76,7 @@ TraceSpecialization specialize(std::uint32_t effects, const SceneShape& scene, s
 ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLoads loads,
                                     const TraceSpecialization& specialization, std::span<const Binding> bindings) {
   require_loads(device.description(), loads);
-  const std::array<SpecializationValue, 12> values = {
+  const std::array<SpecializationValue, 13> values = {
       SpecializationValue{SPECIALIZATION_EFFECTS, specialization.effects},
       SpecializationValue{SPECIALIZATION_TRAVERSAL_STACK, specialization.traversal_stack},
       SpecializationValue{SPECIALIZATION_SHIFT_STACK, specialization.shift_stack ? 1u : 0u},
@@ -86,6 +87,7 @@ ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLo
       SpecializationValue{SPECIALIZATION_LISTED_PIXELS, specialization.listed_pixels ? 1u : 0u},
       SpecializationValue{SPECIALIZATION_INSTANCED, specialization.instanced ? 1u : 0u},
       SpecializationValue{SPECIALIZATION_COARSE, specialization.coarse ? 1u : 0u},
+      SpecializationValue{SPECIALIZATION_TEST_LAST, specialization.test_last ? 1u : 0u},
       SpecializationValue{SPECIALIZATION_WORKFLOWS, specialization.workflows},
       SpecializationValue{SPECIALIZATION_LEVELS, specialization.levels},
       SpecializationValue{SPECIALIZATION_MUTATION, specialization.mutation}};

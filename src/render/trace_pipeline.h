@@ -23,6 +23,7 @@ struct TraceSpecialization {
   bool listed_pixels = false;                      ///< dispatches have a list of their pixels
   bool instanced = false;                          ///< the BVH has instances
   bool coarse = false;                             ///< rays pad its boxes by one bound each (bvh/coarse.h)
+  bool test_last = false;                          ///< loops test for their end behind their body
   std::uint32_t workflows = ALL_WORKFLOWS;         ///< those of the scene's materials
   std::uint32_t levels = LEVELS_OF(LEVEL_ROBUST);  ///< numeric level of each spot (shared/accuracy.h)
   std::uint32_t mutation = MUTATION_NONE;          ///< seeded fault; a renderer has none

@@ -138,6 +138,7 @@ const ComputePipeline& RayKernel::pipeline_for(const RayScene& scene, std::span<
                                                 {SPECIALIZATION_SHIFT_STACK, stack.shift_stack ? 1u : 0u},
                                                 {SPECIALIZATION_INSTANCED, stack.instanced ? 1u : 0u},
                                                 {SPECIALIZATION_COARSE, stack.coarse ? 1u : 0u},
+                                                {SPECIALIZATION_TEST_LAST, stack.test_last ? 1u : 0u},
                                                 {SPECIALIZATION_COUNT_COST, 1u},
                                                 {SPECIALIZATION_LEVELS, setup_.levels},
                                                 {SPECIALIZATION_MUTATION, setup_.mutation},

@@ -63,7 +63,8 @@ class RenderTest(ProgramTest):
     def test_no_width_of_the_driver_s_vectors_changes_a_bit(self):
         plain = self.bytes_of("auto.exr")
         for bits in [128, 256, 512]:
-            environment = {"MESA_SHADER_CACHE_DIR": str(self.folder / "cache"), "LP_NATIVE_VECTOR_WIDTH": str(bits)}
+            environment = {"MESA_SHADER_CACHE_DIR": str(self.folder / "cache"), "LP_NATIVE_VECTOR_WIDTH": str(bits),
+                           "MESA_SHADER_CACHE_DISABLE": "false"}
             self.check_done("devices", "--json", "devices.json", environment=environment)
             device = json.loads((self.folder / "devices.json").read_text())["devices"][0]
             self.assertEqual(device["subgroup_size"], bits // 32)

@@ -70,6 +70,16 @@ TEST_F(TraceKernelTest, texel_and_storage_loads_give_the_same_bits) {
   EXPECT_EQ(film(settings, detected, SceneLoads::texels), film(settings, detected, SceneLoads::storage));
 }
 
+TEST_F(TraceKernelTest, a_shifted_stack_and_an_array_give_the_same_bits) {
+  const RenderSettings settings = test::small_image(32, 32, 4);
+  const PackedScene packed = test::packed_for(scene_, camera_, settings);
+  const std::uint32_t effects = detect_effects(scene_, camera_, 8).bits;
+  const auto film_of = [&](TraversalForm form) {
+    return traced_film(device(), packed, settings, SceneLoads::storage, effects, {}, form);
+  };
+  EXPECT_EQ(film_of(TraversalForm::storage_shifted), film_of(TraversalForm::storage_array));
+}
+
 TEST_F(TraceKernelTest, tiles_dispatch_times_and_repetition_change_no_bit) {
   const RenderSettings settings = test::small_image(40, 24, 2);
   const std::vector<std::uint32_t> expected = film(settings);

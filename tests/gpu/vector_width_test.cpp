@@ -20,7 +20,7 @@ constexpr const char* kCache = "MESA_SHADER_CACHE_DIR";
 class VectorWidthTest : public testing::Test {
  protected:
   void SetUp() override {
-    for (const char* name : {kVariable, kCache}) {
+    for (const char* name : {kVariable, kCache, "XDG_CACHE_HOME", "HOME", "MESA_SHADER_CACHE_DISABLE"}) {
       const char* value = std::getenv(name);
       before_[name] = value != nullptr ? std::optional<std::string>(value) : std::nullopt;
     }
@@ -34,8 +34,9 @@ class VectorWidthTest : public testing::Test {
     return (folder_.path() / "vernier" / ("mesa-" + bits + "-bits")).string();
   }
 
- private:
   TemporaryFolder folder_;
+
+ private:
   std::map<const char*, std::optional<std::string>> before_;
 };
 
@@ -70,6 +71,30 @@ TEST_F(VectorWidthTest, a_window_has_narrow_ones) {
   setenv(kVariable, "128", 1);
   keep_vectors_narrow();
   EXPECT_STREQ(std::getenv(kVariable), "128");
+}
+
+TEST_F(VectorWidthTest, a_process_in_between_changes_nothing) {
+  setenv(kVariable, "0x100", 1);
+  choose_vector_width();
+  choose_vector_width();
+  EXPECT_STREQ(std::getenv(kVariable), "256");
+  EXPECT_EQ(std::getenv(kCache), cache_of("256"));
+}
+
+TEST_F(VectorWidthTest, no_folder_is_made_where_the_program_is_run) {
+  setenv(kVariable, "256", 1);
+  setenv(kCache, "", 1);
+  setenv("XDG_CACHE_HOME", "caches", 1);
+  setenv("HOME", "", 1);
+  choose_vector_width();
+  EXPECT_STREQ(std::getenv(kCache), "");
+  EXPECT_STREQ(std::getenv("MESA_SHADER_CACHE_DISABLE"), "true");
+}
+
+TEST_F(VectorWidthTest, an_empty_width_is_none) {
+  setenv(kVariable, "", 1);
+  keep_vectors_narrow();
+  EXPECT_EQ(std::getenv(kCache), folder_.path().string());
 }
 
 TEST_F(VectorWidthTest, the_width_is_no_part_of_a_name) {

@@ -65,6 +65,7 @@ bool COUNT_EFFECTS = false;
 bool LISTED_PIXELS = false;
 bool INSTANCED = false;
 bool COARSE = false;
+bool TEST_LAST = false;
 uint WORKFLOWS = ALL_WORKFLOWS;
 uint LEVELS = LEVELS_OF(LEVEL_ROBUST);
 uint MUTATION = MUTATION_NONE;

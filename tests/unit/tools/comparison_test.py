@@ -56,6 +56,10 @@ class ComparisonTest(unittest.TestCase):
             with self.assertRaisesRegex(comparison.NotComparable, f"differ in {name}"):
                 self.compare(results([4.0]), results([4.0], **{name: "another"}))
 
+    def test_widths_that_builds_chose_are_no_other_devices(self):
+        old = results([1.0] * 5, device="llvmpipe (LLVM 15, 256 bits)")
+        self.assertTrue(self.compare(old, results([2.0] * 5, device="llvmpipe (LLVM 15)")))
+
     def test_no_results_are_refused_in_one_line(self):
         good = self.write("good.json", results([4.0]))
         for text in ("", "[]", '{"schema": 1}'):

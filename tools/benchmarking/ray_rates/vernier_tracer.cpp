@@ -65,6 +65,7 @@ ComputePipeline VernierTracer::make_pipeline(bool count_cost, const Buffer& rays
                                                 {SPECIALIZATION_TRAVERSAL_STACK, form.traversal_stack},
                                                 {SPECIALIZATION_SHIFT_STACK, form.shift_stack ? 1u : 0u},
                                                 {SPECIALIZATION_COARSE, form.coarse ? 1u : 0u},
+                                                {SPECIALIZATION_TEST_LAST, form.test_last ? 1u : 0u},
                                                 {SPECIALIZATION_COUNT_COST, form.count_cost ? 1u : 0u},
                                                 {SPECIALIZATION_LEVELS, form.levels}};
   const bool texels = texel_use(*device_) == BufferUse::texels_rgba32ui;
