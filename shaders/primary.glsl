@@ -20,7 +20,9 @@ Hit first_visible_hit(IN(Ray) ray) {
   float t_min = 0.0f;
   uint after_triangle = NONE;
   uint round = 0u;
+  bool done = false;
   for (;;) {
+    if (!TEST_LAST && done) break;
     hit = search_scene(Search(ray, t_min, after_triangle, LARGEST_FLOAT, false)).hit;
     bool looking = false;
     if (rays_pass_hits() && hit.triangle != NONE) {
@@ -32,7 +34,8 @@ Hit first_visible_hit(IN(Ray) ray) {
       after_triangle = hit.triangle;
     }
     round++;
-    if (!looking || round >= LOOP_ROUND_LIMIT) break;
+    done = !looking || round >= LOOP_ROUND_LIMIT;
+    if (TEST_LAST && done) break;
   }
   return hit;
 }

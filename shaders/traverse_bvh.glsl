@@ -136,11 +136,14 @@ Found traverse_bvh(IN(Search) search) {
     cursor.running = true;
     if (INSTANCED) {
       uint entered = 0u;
+      bool done = false;
       for (;;) {
+        if (!TEST_LAST && done) break;
         search_trees(search, above, ray, tree, cursor, found);
         bool again = enter_instance(search.ray, ray, tree, cursor);
         entered++;
-        if (!again || entered >= LOOP_ROUND_LIMIT) break;
+        done = !again || entered >= LOOP_ROUND_LIMIT;
+        if (TEST_LAST && done) break;
       }
     } else {
       search_trees(search, above, ray, tree, cursor, found);

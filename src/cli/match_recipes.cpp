@@ -27,6 +27,7 @@ constexpr std::array kFields = {
     Field{"vernier:exposure", "--exposure", ""},
 };
 
+// A device's name is taken without the width of its vectors: no bit hangs on that.
 std::string value_of(const Metadata& metadata, const char* name) {
   const auto entry = metadata.find(name);
   return entry == metadata.end() ? "" : without_vector_width(entry->second);

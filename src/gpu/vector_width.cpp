@@ -12,6 +12,7 @@ namespace {
 constexpr const char* kVariable = "LP_NATIVE_VECTOR_WIDTH";
 
 constexpr const char* kCacheVariable = "MESA_SHADER_CACHE_DIR";
+constexpr const char* kOwnFolder = "vernier";
 constexpr const char* kOwnPrefix = "mesa-";
 
 constexpr long kWide = 512;
@@ -28,28 +29,12 @@ constexpr int kRuns = 12;
 
 // In assembly, so that a build without optimisation measures the same. Eight sums that do not wait for each other: more
 // than any processor works on at a time.
-#define ADD_TO_EIGHT(vector)                                       \
-  asm volatile("1: vpaddd %%" vector "0, %%" vector "0, %%" vector \
-               "0\n\t"                                             \
-               "vpaddd %%" vector "1, %%" vector "1, %%" vector    \
-               "1\n\t"                                             \
-               "vpaddd %%" vector "2, %%" vector "2, %%" vector    \
-               "2\n\t"                                             \
-               "vpaddd %%" vector "3, %%" vector "3, %%" vector    \
-               "3\n\t"                                             \
-               "vpaddd %%" vector "4, %%" vector "4, %%" vector    \
-               "4\n\t"                                             \
-               "vpaddd %%" vector "5, %%" vector "5, %%" vector    \
-               "5\n\t"                                             \
-               "vpaddd %%" vector "6, %%" vector "6, %%" vector    \
-               "6\n\t"                                             \
-               "vpaddd %%" vector "7, %%" vector "7, %%" vector    \
-               "7\n\t"                                             \
-               "dec %0\n\t"                                        \
-               "jnz 1b\n\t"                                        \
-               "vzeroupper"                                        \
-               : "+r"(rounds)                                      \
-               :                                                   \
+#define ADD(vector) "vpaddd %%" vector ", %%" vector ", %%" vector "\n\t"
+#define ADD_TO_EIGHT(vectors)                                                                             \
+  asm volatile("1: " ADD(vectors "0") ADD(vectors "1") ADD(vectors "2") ADD(vectors "3") ADD(vectors "4") \
+                   ADD(vectors "5") ADD(vectors "6") ADD(vectors "7") "dec %0\n\tjnz 1b\n\tvzeroupper"    \
+               : "+r"(rounds)                                                                             \
+               :                                                                                          \
                : "cc", "xmm0", "xmm1", "xmm2", "xmm3", "xmm4", "xmm5", "xmm6", "xmm7")
 
 void add_256(long rounds) {
@@ -60,6 +45,7 @@ void add_512(long rounds) {
 }
 
 #undef ADD_TO_EIGHT
+#undef ADD
 
 double time_of(void (*add)(long)) {
   const auto start = std::chrono::steady_clock::now();
@@ -82,8 +68,10 @@ std::filesystem::path cache_folder() {
     const char* value = std::getenv(name);
     std::filesystem::path folder = value != nullptr ? value : "";
     if (!folder.is_absolute()) continue;
-    // As this function has left it for a process that started this one.
-    if (folder.filename().string().starts_with(kOwnPrefix)) return folder.parent_path().parent_path();
+    // As set_width left it for a process that this one has started.
+    if (folder.parent_path().filename() == kOwnFolder && folder.filename().string().starts_with(kOwnPrefix)) {
+      return folder.parent_path().parent_path();
+    }
     return std::string_view(name) == "HOME" ? folder / ".cache" : folder;
   }
   return {};
@@ -98,7 +86,7 @@ void set_width(long bits) {
     setenv("MESA_SHADER_CACHE_DISABLE", "true", 1);
     return;
   }
-  const std::filesystem::path own = folder / "vernier" / (kOwnPrefix + std::to_string(bits) + "-bits");
+  const std::filesystem::path own = folder / kOwnFolder / (kOwnPrefix + std::to_string(bits) + "-bits");
   std::error_code failure;  // without it the driver does without a cache
   std::filesystem::create_directories(own, failure);
   setenv(kCacheVariable, own.c_str(), 1);
