@@ -12,12 +12,12 @@ constexpr glm::vec3 kGround(0.10f, 0.08f, 0.07f);
 
 }  // namespace
 
-Scene load_builtin_scene(const LoadOptions& options) {
-  Scene scene = load_gltf_memory(kBuiltinSceneBytes, kBuiltinSceneName, options);
-  validate_scene(scene);
-  scene.environment.sky = kSky;
-  scene.environment.ground = kGround;
-  return scene;
+LoadingScene open_builtin_scene(const LoadOptions& options) {
+  LoadingScene loading = open_gltf_memory(kBuiltinSceneBytes, kBuiltinSceneName, options);
+  validate_scene(loading.scene);
+  loading.scene.environment.sky = kSky;
+  loading.scene.environment.ground = kGround;
+  return loading;
 }
 
 }  // namespace vernier

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <future>
 #include <optional>
+#include <utility>
 
 #include "cli/cost_legend.h"
 #include "cli/interrupt.h"
@@ -19,6 +20,7 @@
 #include "render/form_file.h"
 #include "render/gpu_scene.h"
 #include "render/memory_need.h"
+#include "render/pack_scene.h"
 #include "render/pipeline_file.h"
 #include "render/render_image.h"
 #include "render/trace_pipeline.h"
@@ -46,22 +48,41 @@ std::optional<SavedFilm> read_resumed(const RenderPlan& plan) {
   return read_film_file(plan.resume);
 }
 
-/// Large scenes take their time: whether there is room for them is known before.
-void check_and_tell(const std::string& source, const MemoryNeed& need, const MemoryThere& there, bool quiet) {
-  constexpr std::uint64_t kLarge = 1'000'000;
-  check_memory(source, need, there);
-  if (need.triangles >= kLarge && !quiet) std::fprintf(stderr, "%s\n", memory_text(need, there).c_str());
+MemoryNeed need_of(const Scene& scene, const RenderSettings& settings) {
+  const bool driver_traces = settings.traversal == TraversalForm::ray_query;
+  return memory_need(scene, driver_traces ? Sharing::never : settings.sharing);
 }
 
-RenderResult render_with_progress(const Device& device, const SceneSetup& setup, const RenderPlan& plan,
-                                  const Metadata& recipe, const SavedFilm* resumed) {
+void check_room(const Scene& scene, const MemoryNeed& need, const MemoryThere& there, const RenderSettings& settings) {
+  check_memory(scene.source, need, there);
+  check_image_memory(need, image_need(settings), there);
+}
+
+/// Builds the tree while images are decoded. Large scenes take their time: whether there is room for them is known
+/// before, but for textures whose size is not known yet.
+PackedScene pack_with_progress(const LoadingSetup& loading, const RenderPlan& plan, const DeviceDescription& device) {
+  constexpr std::uint64_t kLarge = 1'000'000;
+  const Scene& scene = loading.setup.scene;
+  const MemoryNeed need = need_of(scene, plan.settings);
+  MemoryClaim claim;
+  const MemoryThere there = claim_memory(claim, need, memory_there(device));
+  check_room(scene, need, there, plan.settings);
+  if (need.triangles >= kLarge && !plan.quiet) {
+    const char* textures = loading.images.empty() ? "" : ", textures not counted";
+    std::fprintf(stderr, "%s%s\n", memory_text(need, there).c_str(), textures);
+  }
   ProgressBar bar(plan.quiet);
-  RenderCallbacks callbacks;
-  callbacks.building = [&bar, clock = WorkClock()](double share) {
+  return pack_shape(scene, plan.settings, [&bar, clock = WorkClock()](double share) {
     ProgressState state = clock.at(share);
     state.work = "BVH";
     bar.update(state);
-  };
+  });
+}
+
+RenderResult render_with_progress(const Device& device, const SceneSetup& setup, PackedScene shape,
+                                  const RenderPlan& plan, const Metadata& recipe, const SavedFilm* resumed) {
+  ProgressBar bar(plan.quiet);
+  RenderCallbacks callbacks;
   callbacks.progress = [&bar](const RenderProgress& progress) {
     bar.update({progress.share, progress.rays_per_s, progress.eta_s, ""});
   };
@@ -74,7 +95,7 @@ RenderResult render_with_progress(const Device& device, const SceneSetup& setup,
     callbacks.checkpoint = &*checkpoint;
   }
   try {
-    return render_image(device, setup.scene, setup.camera, plan.settings, callbacks);
+    return render_image(device, setup.scene, std::move(shape), setup.camera, plan.settings, callbacks);
   } catch (const Error& error) {
     if (error.kind() != ErrorKind::device_lost) throw;
     const bool saved = checkpoint && (checkpoint->is_saved() || plan.resume == plan.checkpoint);
@@ -101,22 +122,31 @@ RenderedImage render_planned(RenderPlan plan) {
   const std::optional<SavedFilm> resumed = read_resumed(plan);
   std::future<VulkanInstance> libraries = load_libraries();
   const double aspect = static_cast<double>(plan.settings.width) / plan.settings.height;
-  const SceneSetup setup = set_up_scene(plan.scene, aspect);
-  print_warnings(setup.scene.warnings);
-  Metadata shown = scene_recipe(plan.scene_arguments, setup.scene.files, plan.render_arguments);
+  LoadingSetup loading = open_setup(plan.scene, aspect);
   const VulkanInstance instance = libraries.get();
   const DeviceDescription description = choose_device(list_devices(instance), plan.device);
-  plan.settings.traversal = calibrated_form(description, setup.scene, plan.settings.traversal);
-  const bool driver_traces = plan.settings.traversal == TraversalForm::ray_query;
-  const RecipeMaker maker{description.name, description.driver,
-                          trace_spirv_hash(choose_scene_loads(description, plan.settings.traversal))};
-  const Metadata recipe = render_recipe(std::move(shown), maker);
-  if (resumed) match_recipes("this render", recipe, plan.resume, resumed->recipe, {});
-  const MemoryNeed memory = memory_need(setup.scene, driver_traces ? Sharing::never : plan.settings.sharing);
-  check_and_tell(setup.scene.source, memory, memory_there(description), plan.quiet);
-  check_image_memory(memory, image_need(plan.settings), memory_there(description));
+  plan.settings.traversal = calibrated_form(description, loading.setup.scene, plan.settings.traversal);
+  check_settings(plan.settings, description);
+  const auto recipe_of = [&](const Scene& scene) {
+    const RecipeMaker maker{description.name, description.driver,
+                            trace_spirv_hash(choose_scene_loads(description, plan.settings.traversal))};
+    return render_recipe(scene_recipe(plan.scene_arguments, scene.files, plan.render_arguments), maker);
+  };
+  Metadata recipe;
+  if (resumed) {  // that of another render is refused before the tree is built
+    loading.images.finish(loading.setup.scene);
+    recipe = recipe_of(loading.setup.scene);
+    match_recipes("this render", recipe, plan.resume, resumed->recipe, {});
+  }
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
-  RenderResult result = render_with_progress(device.device(), setup, plan, recipe, resumed ? &*resumed : nullptr);
+  PackedScene shape = pack_with_progress(loading, plan, description);
+  const SceneSetup setup = finish(std::move(loading));
+  print_warnings(setup.scene.warnings);
+  if (!resumed) recipe = recipe_of(setup.scene);
+  const MemoryNeed memory = need_of(setup.scene, plan.settings);
+  check_room(setup.scene, after_shape(memory), memory_there(description), plan.settings);
+  RenderResult result =
+      render_with_progress(device.device(), setup, std::move(shape), plan, recipe, resumed ? &*resumed : nullptr);
   print_warnings(result.statistics.warnings);
 
   result.image.metadata.merge(describe_image(plan, result.image, result.statistics, recipe));

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <fstream>
 #include <sstream>
+#include <utility>
 
 #include "cli/camera_arguments.h"
 #include "cli/choose_camera.h"
@@ -15,6 +16,8 @@
 #include "error.h"
 #include "gpu/vector_width.h"
 #include "preview/viewer.h"
+#include "render/memory_need.h"
+#include "render/pack_scene.h"
 
 namespace vernier {
 namespace {
@@ -27,15 +30,26 @@ SceneSettings with_words(const SceneSettings& settings, const RenderCommandArgum
   return changed;
 }
 
+/// Builds the tree while images are decoded.
+PackedScene pack_viewed(const Scene& scene, BuildMethod method) {
+  const MemoryNeed need = memory_need(scene);
+  MemoryClaim claim;
+  check_memory(scene.source, need, claim_memory(claim, need, memory_there()));
+  return pack_shape(scene, 0, method);
+}
+
 ViewedScene load_viewed(SceneSettings settings, const RenderCommandArguments& arguments, const CameraWords& words,
                         BuildMethod method, double aspect) {
   const auto start = std::chrono::steady_clock::now();
   settings = with_words(settings, arguments, words);
-  SceneSetup setup = set_up_scene(settings, aspect);
-  print_warnings(setup.scene.warnings);
+  LoadingSetup loading = open_setup(settings, aspect);
   ViewedScene viewed;
   viewed.source = settings.scene;
-  viewed.packed = pack_scene(setup.scene, 0, method);
+  viewed.packed = pack_viewed(loading.setup.scene, method);
+  SceneSetup setup = finish(std::move(loading));
+  print_warnings(setup.scene.warnings);
+  check_memory(settings.scene, after_shape(memory_need(setup.scene)), memory_there());
+  pack_look(setup.scene, viewed.packed);
   viewed.words = words;
   viewed.camera = setup.camera;
   viewed.lights_follow = setup.default_lights;

@@ -84,9 +84,10 @@ MemoryNeed memory_need(const Scene& scene, Sharing sharing) {
   for (const std::uint32_t mesh : plan.meshes) shared_triangles += scene.meshes[mesh].triangles.size();
   const std::uint64_t vertex_bytes = choose_vertex_layout(scene, UvSets::all).texels * kTexelBytes;
   const std::uint64_t laid_out = most_vertices(plan);
+  need.texture_bytes = texture_bytes(scene);
   const std::uint64_t but_vertices = most_record_bytes(plan.stored_triangles + plan.shared_instances) +
                                      plan.shared_instances * sizeof(DeviceInstance) +
-                                     scene.instances.size() * kObjectBytes + texture_bytes(scene);
+                                     scene.instances.size() * kObjectBytes + need.texture_bytes;
   need.device_bytes = but_vertices + laid_out * vertex_bytes;
   const std::uint64_t baked = plan.stored_triangles * kTriangleBytes + plan.stored_vertices * vertex_bytes;
   const std::uint64_t building = (plan.stored_triangles + plan.shared_instances) * (sizeof(BvhTriangle) + kBuildBytes);
@@ -127,6 +128,17 @@ MemoryThere memory_there(const DeviceDescription& device) {
   there.shared = device.is_cpu;
   // lavapipe says 2 GiB, whatever the host has.
   if (!there.shared) there.device_bytes = device.device_memory_bytes;
+  return there;
+}
+
+MemoryNeed after_shape(MemoryNeed need) {
+  need.host_bytes = need.texture_bytes;
+  return need;
+}
+
+MemoryThere claim_memory(MemoryClaim& claim, const MemoryNeed& need, MemoryThere there) {
+  const std::uint64_t bytes = claim.take(of_host(need, there));
+  if (there.host_bytes) there.host_bytes = bytes;
   return there;
 }
 

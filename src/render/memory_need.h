@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gpu/device.h"
+#include "math/memory_claim.h"
 #include "render/render_settings.h"
 #include "scene/scene.h"
 
@@ -16,6 +17,7 @@ struct MemoryNeed {
   std::uint64_t stored_triangles = 0;  ///< of meshes that instances share once (plan_instances.h)
   std::uint64_t host_bytes = 0;        ///< while its arrays and BVH are made, an upper bound
   std::uint64_t device_bytes = 0;      ///< for as long as it is rendered, an upper bound
+  std::uint64_t texture_bytes = 0;     ///< of both, for textures
 };
 
 /// Memory that a scene may take; empty: not known.
@@ -38,6 +40,12 @@ MemoryNeed need_of_copies(const Scene& scene, std::uint64_t bytes_per_triangle);
 MemoryThere memory_there();
 /// The same, and on the device: its largest local heap, where its memory is its own.
 MemoryThere memory_there(const DeviceDescription& device);
+
+/// What is left of the `need` of a scene when its shape is packed (pack_shape).
+MemoryNeed after_shape(MemoryNeed need);
+
+/// Claims what `need` comes to on the host. Returns what is there, as MemoryClaim::take.
+MemoryThere claim_memory(MemoryClaim& claim, const MemoryNeed& need, MemoryThere there);
 
 /// Throws Error(refused) for the scene file `source` where `need` is more than what is `there`, with both numbers.
 void check_memory(const std::string& source, const MemoryNeed& need, const MemoryThere& there);

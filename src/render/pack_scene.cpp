@@ -72,7 +72,7 @@ std::vector<std::uint32_t> pack_lights(const std::vector<Light>& lights, const T
   return words;
 }
 
-PackedScene pack_scene(const Scene& scene, unsigned thread_count, std::optional<BuildMethod> method,
+PackedScene pack_shape(const Scene& scene, unsigned thread_count, std::optional<BuildMethod> method,
                        const std::function<void(double)>& progress, Sharing sharing, UvSets uvs) {
   PackedScene packed;
   const auto bake_start = std::chrono::steady_clock::now();
@@ -93,17 +93,9 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count, std::optional<
   packed.triangle_count = plan.triangles;
   packed.traced_triangles = trees.traced_triangles;
   packed.hidden_triangles = trees.hidden_triangles;
-  packed.materials = pack_materials(scene, packed.space.metres_per_unit);
-  for (const Material& material : scene.materials)
-    packed.workflows |= 1u << static_cast<std::uint32_t>(material.workflow);
-  packed.lights = pack_lights(scene.lights, packed.space);
-  PackedTextures textures = pack_textures(scene);
-  packed.textures = std::move(textures.textures);
-  packed.texels = std::move(textures.texels);
   RenderConstants& constants = packed.constants;
   constants.world_center = glm::vec3(packed.space.center);
   constants.metres_per_unit = static_cast<float>(packed.space.metres_per_unit);
-  packed.steering.light_count = static_cast<std::uint32_t>(scene.lights.size());
   packed.steering.triangle_count = packed.bvh.triangle_count;
   packed.steering.object_count = static_cast<std::uint32_t>(packed.first_triangles.size());
   packed.steering.one = 1;
@@ -113,16 +105,39 @@ PackedScene pack_scene(const Scene& scene, unsigned thread_count, std::optional<
   packed.steering.uv23_texel = layout.uv23;
   packed.steering.color_texel = layout.color;
   packed.steering.tangent_texel = layout.tangent;
-  set_environment(packed, scene);
   return packed;
 }
 
-PackedScene pack_scene(const Scene& scene, const RenderSettings& settings,
+PackedScene pack_shape(const Scene& scene, const RenderSettings& settings,
                        const std::function<void(double)>& progress) {
   const bool driver_builds = settings.traversal == TraversalForm::ray_query;
   const bool shows_uv = std::ranges::find(settings.aovs, "uv") != settings.aovs.end();
-  return pack_scene(scene, 0, driver_builds ? std::nullopt : std::optional(settings.bvh), progress, settings.sharing,
+  return pack_shape(scene, 0, driver_builds ? std::nullopt : std::optional(settings.bvh), progress, settings.sharing,
                     shows_uv ? UvSets::all : UvSets::of_textures);
+}
+
+void pack_look(const Scene& scene, PackedScene& packed) {
+  packed.materials = pack_materials(scene, packed.space.metres_per_unit);
+  for (const Material& material : scene.materials)
+    packed.workflows |= 1u << static_cast<std::uint32_t>(material.workflow);
+  packed.lights = pack_lights(scene.lights, packed.space);
+  packed.steering.light_count = static_cast<std::uint32_t>(scene.lights.size());
+  PackedTextures textures = pack_textures(scene);
+  packed.textures = std::move(textures.textures);
+  packed.texels = std::move(textures.texels);
+  set_environment(packed, scene);
+}
+
+PackedScene pack_scene(const Scene& scene, unsigned thread_count, std::optional<BuildMethod> method, Sharing sharing) {
+  PackedScene packed = pack_shape(scene, thread_count, method, {}, sharing);
+  pack_look(scene, packed);
+  return packed;
+}
+
+PackedScene pack_scene(const Scene& scene, const RenderSettings& settings) {
+  PackedScene packed = pack_shape(scene, settings);
+  pack_look(scene, packed);
+  return packed;
 }
 
 void set_camera(PackedScene& packed, const Camera& camera, const RenderSettings& settings) {

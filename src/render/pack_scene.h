@@ -37,18 +37,26 @@ struct PackedScene {
   double bvh_build_ms = 0.0;
 };
 
-/// Packs `scene`, which has passed validate_scene, building the BVH by `method` on `thread_count` threads (0: all
-/// cores); without a method its triangles are listed for the driver's tree (list_triangles). `sharing` decides which
-/// meshes are traced in a space of their own: none without a method. Without UvSets::all the AOV `uv` is 0 where no
-/// texture asks for it.
-PackedScene pack_scene(const Scene& scene, unsigned thread_count,
+/// Packs what hangs on the triangles of `scene`, which has passed validate_scene, but on no texel: the traced space,
+/// the BVH, vertices, instances. Builds by `method` on `thread_count` threads (0: all cores); without a method
+/// triangles are listed for the driver's tree (list_triangles). `sharing` decides which meshes are traced in a space of
+/// their own: none without a method. Without UvSets::all the AOV `uv` is 0 where no texture asks for it.
+PackedScene pack_shape(const Scene& scene, unsigned thread_count,
                        std::optional<BuildMethod> method = BuildMethod::standard,
                        const std::function<void(double share)>& progress = {}, Sharing sharing = Sharing::automatic,
                        UvSets uvs = UvSets::all);
 
 /// The same on all cores as `settings` have it: with TraversalForm::ray_query triangles alone, every instance's.
-PackedScene pack_scene(const Scene& scene, const RenderSettings& settings,
+PackedScene pack_shape(const Scene& scene, const RenderSettings& settings,
                        const std::function<void(double share)>& progress = {});
+
+/// Packs the rest of `scene` into `packed`, which has its shape: materials, textures, lights, environment.
+void pack_look(const Scene& scene, PackedScene& packed);
+
+/// Both in one, the first with the arguments given.
+PackedScene pack_scene(const Scene& scene, unsigned thread_count,
+                       std::optional<BuildMethod> method = BuildMethod::standard, Sharing sharing = Sharing::automatic);
+PackedScene pack_scene(const Scene& scene, const RenderSettings& settings);
 
 /// `light` in device layout.
 DeviceLight device_light(const Light& light, const TracedSpace& space);

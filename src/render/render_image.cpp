@@ -17,28 +17,6 @@
 namespace vernier {
 namespace {
 
-void check_settings(const RenderSettings& settings) {
-  if (settings.width < 1 || settings.height < 1) throw Error(ErrorKind::usage, "--size: the image is empty");
-  if (settings.sample_begin >= settings.sample_end || settings.sample_end > settings.spp) {
-    throw Error(ErrorKind::usage, "--sample-range: it must lie within 0:" + std::to_string(settings.spp));
-  }
-  if (settings.error_target &&
-      (settings.spp < 2 || settings.sample_begin != 0 || settings.sample_end != settings.spp)) {
-    throw Error(ErrorKind::usage, "--error-target: it needs all samples of the image, and at least 2 per pixel");
-  }
-}
-
-PixelRect checked_area(const RenderSettings& settings) {
-  const PixelRect whole{0, 0, settings.width, settings.height};
-  const PixelRect area = image_area(settings);
-  if (area.x < 0 || area.y < 0 || area.width < 1 || area.height < 1 || area.width > whole.width - area.x ||
-      area.height > whole.height - area.y) {
-    throw Error(ErrorKind::usage, "--crop: it must lie within the image of " + std::to_string(whole.width) + "x" +
-                                      std::to_string(whole.height));
-  }
-  return area;
-}
-
 bool wants(const RenderSettings& settings, const char* aov) {
   return std::find(settings.aovs.begin(), settings.aovs.end(), aov) != settings.aovs.end();
 }
@@ -123,17 +101,40 @@ void resume(const Device& device, const SavedFilm& saved, Film& film) {
 
 }  // namespace
 
+void check_settings(const RenderSettings& settings, const DeviceDescription& device) {
+  if (settings.width < 1 || settings.height < 1) throw Error(ErrorKind::usage, "--size: the image is empty");
+  if (settings.sample_begin >= settings.sample_end || settings.sample_end > settings.spp) {
+    throw Error(ErrorKind::usage, "--sample-range: it must lie within 0:" + std::to_string(settings.spp));
+  }
+  if (settings.error_target &&
+      (settings.spp < 2 || settings.sample_begin != 0 || settings.sample_end != settings.spp)) {
+    throw Error(ErrorKind::usage, "--error-target: it needs all samples of the image, and at least 2 per pixel");
+  }
+  const PixelRect whole{0, 0, settings.width, settings.height};
+  const PixelRect area = image_area(settings);
+  if (area.x < 0 || area.y < 0 || area.width < 1 || area.height < 1 || area.width > whole.width - area.x ||
+      area.height > whole.height - area.y) {
+    throw Error(ErrorKind::usage, "--crop: it must lie within the image of " + std::to_string(whole.width) + "x" +
+                                      std::to_string(whole.height));
+  }
+  require_loads(device, choose_scene_loads(device, settings.traversal));
+}
+
 RenderResult render_image(const Device& device, const Scene& scene, const Camera& camera,
                           const RenderSettings& settings, const RenderCallbacks& callbacks) {
-  check_settings(settings);
-  const PixelRect area = checked_area(settings);
+  check_settings(settings, device.description());
+  return render_image(device, scene, pack_shape(scene, settings), camera, settings, callbacks);
+}
+
+RenderResult render_image(const Device& device, const Scene& scene, PackedScene packed, const Camera& camera,
+                          const RenderSettings& settings, const RenderCallbacks& callbacks) {
+  const PixelRect area = image_area(settings);
   RenderStatistics statistics;
   statistics.effects = plan_effects(scene, camera, settings.max_bounces, settings.cutoff, settings.effects);
   const std::uint32_t bounces = statistics.effects.depth.bounces;
   const SceneLoads loads = choose_scene_loads(device.description(), settings.traversal);
-  require_loads(device.description(), loads);
 
-  PackedScene packed = pack_scene(scene, settings, callbacks.building);
+  pack_look(scene, packed);
   describe_scene(scene, packed, statistics);
   describe_left_out(scene, packed, statistics);
   set_camera(packed, camera, settings);

@@ -5,6 +5,7 @@
 
 #include "gpu/device.h"
 #include "image/image.h"
+#include "render/pack_scene.h"
 #include "render/render_settings.h"
 #include "render/render_statistics.h"
 #include "scene/scene.h"
@@ -24,8 +25,6 @@ struct SavedFilm;
 
 /// How a render talks to its caller; all may be empty. Called between submissions, on the caller's thread.
 struct RenderCallbacks {
-  /// Share of the BVH that is built, in [0, 1]: unlike the others called by any thread, never by two at once.
-  std::function<void(double)> building;
   std::function<void(const RenderProgress&)> progress;
   std::function<bool()> cancelled;     ///< true: stop cleanly; what is finished is returned
   Checkpoint* checkpoint = nullptr;    ///< saves what is done
@@ -38,12 +37,20 @@ struct RenderResult {
   RenderStatistics statistics;
 };
 
+/// Throws Error(usage) for settings that make no sense, and what require_loads does for a traversal that `device`
+/// lacks.
+void check_settings(const RenderSettings& settings, const DeviceDescription& device);
+
 /// Renders `scene`, which has passed validate_scene, through `camera` on `device`: shaders/README.md, "Image
 /// formation". The image has the same bits for any tile, dispatch_ms, crop and repetition on one device. Pixels with a
 /// sample that is not finite are NaN and counted. A resumed render has the bits of one that was never interrupted.
-/// Throws Error: usage for settings that make no sense, refused for what the device cannot hold and for a resumed film
-/// that does not fit, device_lost.
+/// Throws Error: what check_settings does, refused for what the device cannot hold and for a resumed film that does not
+/// fit, device_lost.
 RenderResult render_image(const Device& device, const Scene& scene, const Camera& camera,
+                          const RenderSettings& settings, const RenderCallbacks& callbacks);
+
+/// The same where `shape` is that of the scene (pack_shape) for `settings`, which have passed check_settings.
+RenderResult render_image(const Device& device, const Scene& scene, PackedScene shape, const Camera& camera,
                           const RenderSettings& settings, const RenderCallbacks& callbacks);
 
 }  // namespace vernier

@@ -1,6 +1,7 @@
 #include "scene/environment_image.h"
 
 #include <bit>
+#include <utility>
 
 #include "scene/texel_color.h"
 #include "scene/texture_from_image.h"
@@ -22,11 +23,14 @@ std::shared_ptr<const Texels> as_float(std::shared_ptr<const Texels> texels) {
 
 }  // namespace
 
-int add_environment_image(Scene& scene, const std::string& path) {
-  std::shared_ptr<const Texels> texels = as_float(decode_texels_from_file(path, TexelEncoding::srgb));
+int add_environment_image(Scene& scene, PendingImages& images, const std::string& path) {
+  check_image_file(path);
+  ImageJob job;
+  job.decode = [path] { return as_float(decode_texels_from_file(path, TexelEncoding::srgb)); };
+  job.file = path;
+  job.needed = true;
   const Sampler sampler{TEXTURE_WRAP_REPEAT, TEXTURE_WRAP_CLAMP, TEXTURE_FILTER_LINEAR};
-  note_file(scene.files, path);
-  scene.textures.push_back({path, sampler, std::move(texels)});
+  scene.textures.push_back({path, sampler, images.add(std::move(job))});
   scene.environment.texture = static_cast<int>(scene.textures.size()) - 1;
   return scene.environment.texture;
 }

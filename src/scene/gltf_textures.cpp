@@ -1,7 +1,10 @@
 #include "scene/gltf_textures.h"
 
+#include <functional>
+#include <span>
+#include <vector>
+
 #include "error.h"
-#include "math/parallel_for.h"
 #include "scene/gltf_references.h"
 #include "scene/gltf_uri.h"
 #include "scene/gltf_values.h"
@@ -45,68 +48,46 @@ int image_of(GltfDocument& document, int index) {
   return texture.source;
 }
 
-std::shared_ptr<const Texels> read_image(const GltfDocument& document, const GltfImageUse& use, std::string& path) {
+/// What decodes an image once the document is gone.
+std::function<std::shared_ptr<const Texels>()> decoder_of(const GltfDocument& document, const GltfImageUse& use) {
   const auto [index, encoding] = use;
   const GltfImage& image = document.images[static_cast<std::size_t>(index)];
   const std::string place = "image " + std::to_string(index);
-  if (image.uri.empty()) {
-    if (image.buffer_view < 0) throw Error(ErrorKind::refused, place + ": it has neither uri nor bufferView");
-    return decode_texels(gltf_view_bytes(document, image.buffer_view, place), place, encoding);
+  if (is_data_uri(image.uri)) {
+    return [=, uri = image.uri] { return decode_texels(decode_data_uri(uri, place), place, encoding); };
   }
-  if (is_data_uri(image.uri)) return decode_texels(decode_data_uri(image.uri, place), place, encoding);
-  path = path_from_uri(image.uri, document.directory);
-  return decode_texels_from_file(path, encoding);
+  if (!image.uri.empty()) {
+    return [=, path = path_from_uri(image.uri, document.directory)] { return decode_texels_from_file(path, encoding); };
+  }
+  if (image.buffer_view < 0) throw Error(ErrorKind::refused, place + ": it has neither uri nor bufferView");
+  const std::span<const std::byte> bytes = gltf_view_bytes(document, image.buffer_view, place);
+  return [=, copy = std::vector(bytes.begin(), bytes.end())] { return decode_texels(copy, place, encoding); };
 }
 
-DecodedImage decode_image(const GltfDocument& document, const GltfImageUse& use) {
-  DecodedImage decoded;
+ImageJob job_of(const GltfDocument& document, const GltfImageUse& use, const std::string& place) {
+  const GltfImage& image = document.images[static_cast<std::size_t>(use.first)];
+  const bool is_file = !image.uri.empty() && !is_data_uri(image.uri);
+  ImageJob job;
+  job.before_fault = (document.strict ? document.path + ": " : "") + place + ", image " + std::to_string(use.first) +
+                     (is_file ? " (" + image.uri + ")" : "") + ": white is used instead: ";
+  job.needed = document.strict;
   try {
-    decoded.texels = read_image(document, use, decoded.path);
-  } catch (const MemoryError&) {
-    throw;
+    job.decode = decoder_of(document, use);
+    if (is_file) job.file = path_from_uri(image.uri, document.directory);
   } catch (const Error& failure) {
-    if (failure.kind() != ErrorKind::refused) throw;  // not the image's fault
-    decoded.fault = failure.what();
+    job.decode = [failure]() -> std::shared_ptr<const Texels> { throw failure; };
   }
-  return decoded;
+  return job;
 }
 
-std::shared_ptr<const Texels> white_texel() {
-  return std::make_shared<const Texels>(Texels{TEXTURE_FORMAT_LINEAR8, 1, 1, {0xffffffffu}});
-}
-
-std::shared_ptr<const Texels> texels_of(GltfDocument& document, const GltfImageUse& use, const std::string& place,
+std::shared_ptr<const Texels> texels_of(const GltfDocument& document, const GltfImageUse& use, const std::string& place,
                                         GltfTextures& textures) {
   const auto [entry, is_new] = textures.texels.try_emplace(use, nullptr);
-  if (!is_new) return entry->second;
-  if (textures.wanted != nullptr) {
-    textures.wanted->push_back(use);
-    return entry->second = white_texel();
-  }
-  const auto known = textures.decoded.find(use);
-  const DecodedImage decoded = known != textures.decoded.end() ? known->second : decode_image(document, use);
-  if (decoded.texels == nullptr) {
-    const GltfImage& source = document.images[static_cast<std::size_t>(use.first)];
-    const std::string name = source.uri.empty() || is_data_uri(source.uri) ? "" : " (" + source.uri + ")";
-    unsupported_gltf(document, place + ", image " + std::to_string(use.first) + name,
-                     "white is used instead: " + decoded.fault);
-  } else if (!decoded.path.empty()) {
-    note_file(document.files, decoded.path);
-  }
-  return entry->second = decoded.texels;
+  if (is_new) entry->second = textures.images.add(job_of(document, use, place));
+  return entry->second;
 }
 
 }  // namespace
-
-std::map<GltfImageUse, DecodedImage> decode_gltf_images(const GltfDocument& document,
-                                                        const std::vector<GltfImageUse>& uses) {
-  std::vector<DecodedImage> images(uses.size());
-  parallel_for(resolve_thread_count(0), uses.size(),
-               [&](std::size_t i) { images[i] = decode_image(document, uses[i]); });
-  std::map<GltfImageUse, DecodedImage> decoded;
-  for (std::size_t i = 0; i < uses.size(); ++i) decoded.emplace(uses[i], std::move(images[i]));
-  return decoded;
-}
 
 int gltf_scene_texture(GltfDocument& document, int index, TexelEncoding encoding, const std::string& place,
                        GltfTextures& textures, Scene& scene) {
@@ -118,7 +99,6 @@ int gltf_scene_texture(GltfDocument& document, int index, TexelEncoding encoding
   const std::string& uri = document.images[static_cast<std::size_t>(image)].uri;
   if (!uri.empty() && !is_data_uri(uri)) image = textures.image_of_file.try_emplace(uri, image).first->second;
   const auto texels = texels_of(document, {image, encoding}, "texture " + std::to_string(index), textures);
-  if (texels == nullptr) return -1;
   const tinygltf::Texture& source = document.model.textures[static_cast<std::size_t>(index)];
   const GltfImage& file = document.images[static_cast<std::size_t>(image)];
   Texture texture{source.name, sampler_of(document, source), texels};

@@ -32,27 +32,9 @@ void add_instances(GltfDocument& document, const std::vector<int>& nodes,
   }
 }
 
-/// The images that the materials will ask for, found by a rehearsal that is forgotten.
-std::vector<GltfImageUse> wanted_images(GltfDocument& document) {
-  std::vector<GltfImageUse> wanted;
-  GltfTextures textures;
-  textures.wanted = &wanted;
-  Scene forgotten;
-  const std::vector<std::string> warnings = document.warnings;
-  try {
-    for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
-      gltf_material(document, static_cast<int>(i), textures, forgotten);
-    }
-  } catch (const Error&) {
-    // It is thrown again, in its turn, when the materials are made.
-  }
-  document.warnings = warnings;
-  return wanted;
-}
-
-void add_materials(GltfDocument& document, const GltfMeshes& meshes, Scene& scene) {
-  GltfTextures textures;
-  textures.decoded = decode_gltf_images(document, wanted_images(document));
+void add_materials(GltfDocument& document, const GltfMeshes& meshes, LoadingScene& loading) {
+  GltfTextures textures{loading.images, {}, {}, {}};
+  Scene& scene = loading.scene;
   for (std::size_t i = 0; i < document.model.materials.size(); ++i) {
     scene.materials.push_back(gltf_material(document, static_cast<int>(i), textures, scene));
   }
@@ -66,13 +48,14 @@ void report_skipped(GltfDocument& document, const GltfMeshes& meshes) {
                        (meshes.skipped_primitives == 1 ? " primitive)" : " primitives)"));
 }
 
-Scene scene_of_document(GltfDocument document) {
+LoadingScene scene_of_document(GltfDocument document) {
   expand_gltf_meshopt(document);
   expand_gltf_draco(document);
   const std::vector<glm::dmat4> world_from_node = gltf_world_matrices(document);
   const std::vector<int> nodes = gltf_scene_nodes(document);
 
-  Scene scene;
+  LoadingScene loading;
+  Scene& scene = loading.scene;
   scene.source = document.path;
   GltfMeshes meshes;
   add_instances(document, nodes, world_from_node, meshes, scene);
@@ -80,23 +63,24 @@ Scene scene_of_document(GltfDocument document) {
   if (meshes.triangle_count == 0 || scene.instances.empty()) {
     refuse_gltf(document, "", "the scene has no triangles to show");
   }
-  add_materials(document, meshes, scene);
+  add_materials(document, meshes, loading);
   scene.cameras = gltf_cameras(document, nodes, world_from_node);
   scene.lights = gltf_lights(document, nodes, world_from_node);
   scene.files = std::move(document.files);
   scene.warnings = std::move(document.warnings);
-  return scene;
+  return loading;
 }
 
 }  // namespace
 
-Scene load_gltf(const std::string& path, const LoadOptions& options) {
-  Scene scene = scene_of_document(read_gltf_document(path, options));
-  scene.files.insert(scene.files.begin(), path);
-  return scene;
+LoadingScene open_gltf(const std::string& path, const LoadOptions& options) {
+  LoadingScene loading = scene_of_document(read_gltf_document(path, options));
+  std::vector<std::string>& files = loading.scene.files;
+  files.insert(files.begin(), path);
+  return loading;
 }
 
-Scene load_gltf_memory(std::span<const std::byte> file, const std::string& name, const LoadOptions& options) {
+LoadingScene open_gltf_memory(std::span<const std::byte> file, const std::string& name, const LoadOptions& options) {
   return scene_of_document(parse_gltf_document(file, name, options));
 }
 

@@ -8,7 +8,6 @@
 #include "scene/parse_obj.h"
 #include "scene/read_text.h"
 #include "scene/text_words.h"
-#include "scene/validate_scene.h"
 
 namespace vernier {
 namespace {
@@ -46,8 +45,9 @@ MaterialChoice choose_materials(Scene& scene, const ObjGeometry& geometry,
 
 }  // namespace
 
-Scene load_obj(const std::string& path, const LoadOptions& options) {
-  Scene scene;
+LoadingScene open_obj(const std::string& path, const LoadOptions& options) {
+  LoadingScene loading;
+  Scene& scene = loading.scene;
   scene.source = path;
   const std::string text = read_text(path);
   const ObjGeometry geometry = parse_obj(path, text, choose_part_count(text.size()));
@@ -55,11 +55,10 @@ Scene load_obj(const std::string& path, const LoadOptions& options) {
   if (geometry.shapes.empty()) throw Error(ErrorKind::refused, path + ": no faces");
   for (const std::string& line : geometry.unsupported) warn_unsupported(scene, options, path + ": " + line);
   for (const std::string& line : geometry.faults) scene.warnings.push_back(path + ": " + line);
-  const auto index_by_name = load_obj_materials(scene, path, geometry.material_libraries, options);
+  const auto index_by_name = load_obj_materials(loading, path, geometry.material_libraries, options);
   const MaterialChoice choice = choose_materials(scene, geometry, index_by_name);
   add_obj_meshes(scene, geometry, choice.by_name, choice.none);
-  validate_scene(scene);
-  return scene;
+  return loading;
 }
 
 }  // namespace vernier

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <utility>
 
 #include "error.h"
 #include "scene/flat_normals.h"
@@ -18,20 +19,29 @@ std::string lower_case_extension(const std::string& path) {
   return extension;
 }
 
-Scene load_by_extension(const std::string& path, const LoadOptions& options) {
+LoadingScene open_by_extension(const std::string& path, const LoadOptions& options) {
   const std::string extension = lower_case_extension(path);
-  if (extension == ".gltf" || extension == ".glb") return load_gltf(path, options);
-  if (extension == ".obj") return load_obj(path, options);
+  if (extension == ".gltf" || extension == ".glb") return open_gltf(path, options);
+  if (extension == ".obj") return open_obj(path, options);
   throw Error(ErrorKind::refused, path + ": not a scene file by its name, which must end in .gltf, .glb or .obj");
 }
 
 }  // namespace
 
+LoadingScene open_scene(const std::string& path, const LoadOptions& options) {
+  LoadingScene loading = open_by_extension(path, options);
+  validate_scene(loading.scene);
+  drop_flat_normals(loading.scene);
+  return loading;
+}
+
+Scene finish(LoadingScene loading) {
+  loading.images.finish(loading.scene);
+  return std::move(loading.scene);
+}
+
 Scene load_scene(const std::string& path, const LoadOptions& options) {
-  Scene scene = load_by_extension(path, options);
-  validate_scene(scene);
-  drop_flat_normals(scene);
-  return scene;
+  return finish(open_scene(path, options));
 }
 
 }  // namespace vernier

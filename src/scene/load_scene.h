@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "scene/pending_images.h"
 #include "scene/scene.h"
 
 namespace vernier {
@@ -13,17 +14,30 @@ struct LoadOptions {
   bool strict = false;  ///< what would be a warning about an unsupported feature is an Error (refused)
 };
 
-/// Reads a scene file; the extension (.gltf, .glb, .obj, any case) picks the loader. The result has passed
-/// validate_scene. Throws Error(refused) with file and place for anything broken, missing or too large.
+/// A scene as read from its files, whose images are still being decoded.
+struct LoadingScene {
+  Scene scene;           ///< all but the texels of its textures, of which some may still turn out to be broken
+  PendingImages images;  ///< give it those
+};
+
+/// Reads a scene file and begins to decode its images; the extension (.gltf, .glb, .obj, any case) picks the loader.
+/// The scene has passed validate_scene. Throws Error(refused) with file and place for anything broken, missing or too
+/// large.
+LoadingScene open_scene(const std::string& path, const LoadOptions& options);
+
+/// Waits for the images of `loading`. Throws as PendingImages::finish.
+Scene finish(LoadingScene loading);
+
+/// Both in one.
 Scene load_scene(const std::string& path, const LoadOptions& options);
 
-/// Reads glTF 2.0, text or binary.
-Scene load_gltf(const std::string& path, const LoadOptions& options);
+/// Reads glTF 2.0, text or binary; not yet validated.
+LoadingScene open_gltf(const std::string& path, const LoadOptions& options);
 
-/// Reads glTF 2.0, text or binary, from the bytes `file` of a file called `name` (for messages and relative URIs).
-Scene load_gltf_memory(std::span<const std::byte> file, const std::string& name, const LoadOptions& options);
+/// The same from the bytes `file` of a file called `name` (for messages and relative URIs).
+LoadingScene open_gltf_memory(std::span<const std::byte> file, const std::string& name, const LoadOptions& options);
 
-/// Reads Wavefront OBJ with its MTL files.
-Scene load_obj(const std::string& path, const LoadOptions& options);
+/// Reads Wavefront OBJ with its MTL files; not yet validated.
+LoadingScene open_obj(const std::string& path, const LoadOptions& options);
 
 }  // namespace vernier

@@ -143,11 +143,12 @@ std::string folder_of(const std::string& path) {
 
 }  // namespace
 
-std::map<std::string, std::uint32_t> load_obj_materials(Scene& scene, const std::string& obj_path,
+std::map<std::string, std::uint32_t> load_obj_materials(LoadingScene& loading, const std::string& obj_path,
                                                         const std::vector<std::string>& libraries,
                                                         const LoadOptions& options) {
   std::map<std::string, std::uint32_t> index_by_name;
-  ObjTextures textures{folder_of(obj_path), {}};
+  Scene& scene = loading.scene;
+  ObjTextures textures{loading.images, folder_of(obj_path), {}};
   for (std::string name : libraries) {
     std::ranges::replace(name, '\\', '/');
     std::string path = name.starts_with('/') ? name : textures.obj_folder + name;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <utility>
 #include <vector>
 
 #include "error.h"
@@ -46,18 +47,20 @@ std::string key_of(const std::string& path, const MtlTexture& map, MtlMapUse use
   return key;
 }
 
-int load_texture(Scene& scene, const std::string& path, const MtlTexture& map, MtlMapUse use) {
-  const std::uint32_t wrap = map.clamp ? TEXTURE_WRAP_CLAMP : TEXTURE_WRAP_REPEAT;
+int add_texture(Scene& scene, PendingImages& images, const std::string& path, const MtlTexture& map, MtlMapUse use) {
+  constexpr const char* kAfterFault = "; the material goes without this texture";
   try {
-    scene.textures.push_back({map.file, {wrap, wrap, TEXTURE_FILTER_LINEAR}, load_texels(path, map, use, wrap)});
-    note_file(scene.files, path);
-  } catch (const MemoryError&) {
-    throw;
+    check_image_file(path);
   } catch (const Error& error) {
-    if (error.kind() != ErrorKind::refused) throw;  // not the image's fault
-    scene.warnings.push_back(std::string(error.what()) + "; the material goes without this texture");
+    scene.warnings.push_back(error.what() + std::string(kAfterFault));
     return -1;
   }
+  const std::uint32_t wrap = map.clamp ? TEXTURE_WRAP_CLAMP : TEXTURE_WRAP_REPEAT;
+  ImageJob job;
+  job.decode = [=] { return load_texels(path, map, use, wrap); };
+  job.file = path;
+  job.after_fault = kAfterFault;
+  scene.textures.push_back({map.file, {wrap, wrap, TEXTURE_FILTER_LINEAR}, images.add(std::move(job))});
   return static_cast<int>(scene.textures.size()) - 1;
 }
 
@@ -69,7 +72,7 @@ TextureUse use_obj_texture(Scene& scene, ObjTextures& textures, const MtlTexture
   if (map.file.empty()) return result;
   const std::string path = image_path(textures, map, mtl_folder);
   const auto [known, is_new] = textures.texture_by_key.try_emplace(key_of(path, map, use), -1);
-  if (is_new) known->second = load_texture(scene, path, map, use);
+  if (is_new) known->second = add_texture(scene, textures.images, path, map, use);
   result.texture = known->second;
   // With V = 1 - v: v' = 1 - (V scale + offset).
   result.uv_from_vertex_uv = glm::mat3x2(float(map.scale.x), 0.0f, 0.0f, float(map.scale.y), float(map.offset.x),

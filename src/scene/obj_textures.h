@@ -4,6 +4,7 @@
 #include <string>
 
 #include "scene/parse_mtl.h"
+#include "scene/pending_images.h"
 #include "scene/scene.h"
 
 namespace vernier {
@@ -18,6 +19,7 @@ enum class MtlMapUse {
 
 /// Textures of one OBJ file, each decoded once. Key: file, use, sampler and the options that change texels.
 struct ObjTextures {
+  PendingImages& images;   ///< decode them
   std::string obj_folder;  ///< folder of the OBJ file, empty or with a slash at its end
   std::map<std::string, int> texture_by_key;
 };
@@ -26,7 +28,8 @@ struct ObjTextures {
 /// MTL's upward v, converted to downward v. Clamping with -clamp on.
 /// The file is sought in `mtl_folder`, then in the folder of the OBJ, then by its bare name in both: models travel with
 /// paths of the machine they were made on. Backslashes are slashes.
-/// A missing or broken image is a warning of `scene` and no texture (-1), told once. No map: no texture.
+/// A missing image is a warning of `scene` and no texture (-1), told once; a broken one is told of once it is decoded.
+/// No map: no texture.
 TextureUse use_obj_texture(Scene& scene, ObjTextures& textures, const MtlTexture& map, MtlMapUse use,
                            const std::string& mtl_folder);
 

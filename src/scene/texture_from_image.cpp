@@ -8,6 +8,7 @@
 
 #include "error.h"
 #include "image/codec_module.h"
+#include "math/memory_claim.h"
 #include "scene/essential_png.h"
 #include "scene/texel_codec.h"
 #include "scene/texel_memory.h"
@@ -53,18 +54,22 @@ std::shared_ptr<const Texels> decode_texels(std::span<const std::byte> encoded, 
   std::vector<std::byte> png;
   if (extension == "png" && begins_with(encoded, kPngSignature)) encoded = png = essential_png(encoded, name);
   auto texels = std::make_shared<Texels>();
-  TexelClaim claim;
+  MemoryClaim claim;
   codec<decltype(read_texels)>("read_texels")(
-      encoded, extension, name, encoding, [&](std::uint64_t bytes) { claim.take(name, bytes); }, *texels);
+      encoded, extension, name, encoding,
+      [&](std::uint64_t bytes) { check_texel_memory(name, bytes, claim.take(bytes)); }, *texels);
   return texels;
 }
 
-std::shared_ptr<const Texels> decode_texels_from_file(const std::string& path, TexelEncoding encoding) {
+void check_image_file(const std::string& path) {
   std::error_code failure;
+  if (!std::filesystem::exists(path, failure)) refuse(path, "the file cannot be opened");
   // A pipe would be waited for.
-  if (std::filesystem::exists(path, failure) && !std::filesystem::is_regular_file(path, failure)) {
-    refuse(path, "not a regular file");
-  }
+  if (!std::filesystem::is_regular_file(path, failure)) refuse(path, "not a regular file");
+}
+
+std::shared_ptr<const Texels> decode_texels_from_file(const std::string& path, TexelEncoding encoding) {
+  check_image_file(path);
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) refuse(path, "the file cannot be opened");
   const std::streamoff size = file.tellg();

@@ -33,4 +33,7 @@ std::shared_ptr<const Texels> decode_texels(std::span<const std::byte> encoded, 
 /// The same from the file at `path`. Throws Error(refused) with `path` also where it cannot be read.
 std::shared_ptr<const Texels> decode_texels_from_file(const std::string& path, TexelEncoding encoding);
 
+/// Throws Error(refused) with `path`, as decode_texels_from_file, where no regular file is there.
+void check_image_file(const std::string& path);
+
 }  // namespace vernier

@@ -62,7 +62,7 @@ PlacedMesh placed_mesh(const CaseSetup& setup, SampleRandom& random, Sharing sha
   const VerifyMesh mesh = sphere_mesh(8, 6, 0.8, 1.0, random);
   const glm::dmat4 transform = random_transform(random, sharing);
   add_object(scene, mesh, matte(glm::vec3(1.0f)), transform);
-  PackedScene packed = pack_scene(scene, 0, BuildMethod::standard, {}, sharing);
+  PackedScene packed = pack_scene(scene, 0, BuildMethod::standard, sharing);
   const TracedSpace space = packed.space;
   const auto traced = [&](std::uint32_t i) {
     const auto world = LongMatrix(transform) * glm::vec<4, long double>(glm::vec<3, long double>(mesh.positions[i]), 1);

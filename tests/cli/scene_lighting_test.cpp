@@ -6,10 +6,15 @@
 namespace vernier {
 namespace {
 
+void light(Scene& scene, const Camera& camera, const SceneSettings& settings) {
+  PendingImages images;
+  set_lighting(scene, images, camera, settings);
+}
+
 TEST(SetLighting, LightsOfTheFileStay) {
   Scene scene = unit_square();
   scene.lights.resize(2);
-  set_lighting(scene, Camera{}, SceneSettings{});
+  light(scene, Camera{}, SceneSettings{});
   EXPECT_EQ(scene.lights.size(), 2u);
   EXPECT_NE(scene.environment.sky, glm::vec3(0.0f)) << "metals have something to mirror";
 }
@@ -19,7 +24,7 @@ TEST(SetLighting, BlackThatIsAskedForStaysBesideLights) {
   scene.lights.resize(1);
   SceneSettings settings;
   settings.background_color = glm::vec3(0.0f);
-  set_lighting(scene, Camera{}, settings);
+  light(scene, Camera{}, settings);
   EXPECT_EQ(scene.environment.sky, glm::vec3(0.0f));
   EXPECT_EQ(scene.environment.ground, glm::vec3(0.0f));
 }
@@ -30,7 +35,7 @@ TEST(SetLighting, LightsOfTheOptionReplaceThem) {
   SceneSettings settings;
   settings.lights.resize(1);
   settings.lights[0].name = "given";
-  set_lighting(scene, Camera{}, settings);
+  light(scene, Camera{}, settings);
   ASSERT_EQ(scene.lights.size(), 1u);
   EXPECT_EQ(scene.lights[0].name, "given");
 }
@@ -38,10 +43,10 @@ TEST(SetLighting, LightsOfTheOptionReplaceThem) {
 TEST(SetLighting, LightsOfTheOptionBringTheDimEnvironmentToo) {
   Scene with_option = unit_square(), with_file = unit_square();
   with_file.lights.resize(1);
-  set_lighting(with_file, Camera{}, SceneSettings{});
+  light(with_file, Camera{}, SceneSettings{});
   SceneSettings settings;
   settings.lights.resize(1);
-  set_lighting(with_option, Camera{}, settings);
+  light(with_option, Camera{}, settings);
   EXPECT_NE(with_option.environment.sky, glm::vec3(0.0f));
   EXPECT_EQ(with_option.environment.sky, with_file.environment.sky);
   EXPECT_EQ(with_option.environment.ground, with_file.environment.ground);
@@ -49,7 +54,7 @@ TEST(SetLighting, LightsOfTheOptionBringTheDimEnvironmentToo) {
 
 TEST(SetLighting, DefaultLightsWhereThereAreNone) {
   Scene scene = unit_square();
-  set_lighting(scene, Camera{}, SceneSettings{});
+  light(scene, Camera{}, SceneSettings{});
   EXPECT_FALSE(scene.lights.empty());
   EXPECT_NE(scene.environment.sky, glm::vec3(0.0f));
 }
@@ -58,7 +63,7 @@ TEST(SetLighting, BackgroundStaysBesideDefaultLights) {
   Scene scene = unit_square();
   SceneSettings settings;
   settings.background_color = glm::vec3(0.0f);
-  set_lighting(scene, Camera{}, settings);
+  light(scene, Camera{}, settings);
   EXPECT_FALSE(scene.lights.empty());
   EXPECT_EQ(scene.environment.sky, glm::vec3(0.0f)) << "black was asked for";
   EXPECT_EQ(scene.environment.ground, glm::vec3(0.0f));
@@ -69,7 +74,7 @@ TEST(SetLighting, AmbientOverridesTheBackground) {
   SceneSettings settings;
   settings.background_color = glm::vec3(1.0f);
   settings.ambient = glm::vec3(0.25f);
-  set_lighting(scene, Camera{}, settings);
+  light(scene, Camera{}, settings);
   EXPECT_EQ(scene.environment.sky, glm::vec3(1.0f));
   EXPECT_TRUE(scene.environment.has_ambient_override);
   EXPECT_EQ(scene.environment.ambient, glm::vec3(0.25f));

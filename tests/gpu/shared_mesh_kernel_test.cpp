@@ -25,7 +25,7 @@ Scene scene_of_copies() {
 class SharedMeshKernelTest : public DeviceTest {
  protected:
   PackedScene packed(const RenderSettings& settings, Sharing sharing) const {
-    PackedScene made = pack_scene(scene_, 1, BuildMethod::standard, {}, sharing);
+    PackedScene made = pack_scene(scene_, 1, BuildMethod::standard, sharing);
     set_camera(made, camera_, settings);
     set_settings(made, settings);
     return made;

@@ -78,7 +78,7 @@ struct Packed {
   PackedScene packed;
   Memory memory;
   Packed(const Scene& scene, Sharing sharing)
-      : packed(pack_scene(scene, 1, BuildMethod::standard, {}, sharing)), memory(memory_of(packed)) {}
+      : packed(pack_scene(scene, 1, BuildMethod::standard, sharing)), memory(memory_of(packed)) {}
 };
 
 /// A scene with its meshes copied and with them shared, which the kernels see while it lives.

@@ -56,7 +56,7 @@ TEST(MemoryNeed, the_device_takes_no_more_and_little_less) {
 
 TEST(MemoryNeed, of_shared_meshes_that_of_one) {
   const Scene scene = grid_scene(50, 40);
-  const PackedScene packed = pack_scene(scene, 1, BuildMethod::standard, {}, Sharing::always);
+  const PackedScene packed = pack_scene(scene, 1, BuildMethod::standard, Sharing::always);
   const std::uint64_t taken = bytes_of(packed.bvh.records) + bytes_of(packed.first_triangles) +
                               bytes_of(packed.vertices) + bytes_of(packed.instances);
   const MemoryNeed need = memory_need(scene, Sharing::always);

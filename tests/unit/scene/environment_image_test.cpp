@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <string>
+
 #include "error.h"
 #include "scene/texel_color.h"
 #include "temporary_folder.h"
@@ -12,10 +15,12 @@ namespace {
 TEST(EnvironmentImage, EightBitsBecomeLinearFloats) {
   const TemporaryFolder folder;
   Scene scene;
-  scene.textures.resize(1);
+  scene.textures.push_back({"", {}, std::make_shared<const Texels>()});
+  PendingImages images;
   const int index = add_environment_image(
-      scene, folder.write("sky.ppm", std::string("P6\n2 1\n255\n\xff\x80") + std::string(4, '\0')));
+      scene, images, folder.write("sky.ppm", std::string("P6\n2 1\n255\n\xff\x80") + std::string(4, '\0')));
   EXPECT_EQ(index, 1);
+  images.finish(scene);
   EXPECT_EQ(scene.environment.texture, 1);
   const Texture& texture = scene.textures[1];
   EXPECT_EQ(texture.sampler.wrap_u, TEXTURE_WRAP_REPEAT);
@@ -29,9 +34,25 @@ TEST(EnvironmentImage, EightBitsBecomeLinearFloats) {
 
 TEST(EnvironmentImage, MissingFileIsRefused) {
   Scene scene;
-  EXPECT_THROW(add_environment_image(scene, "/nonexistent/sky.hdr"), Error);
+  PendingImages images;
+  EXPECT_THROW(add_environment_image(scene, images, "/nonexistent/sky.hdr"), Error);
   EXPECT_EQ(scene.environment.texture, -1);
   EXPECT_TRUE(scene.textures.empty());
+}
+
+TEST(EnvironmentImage, BrokenFileIsRefused) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("sky.hdr", "#?RADIANCE\n");
+  Scene scene;
+  PendingImages images;
+  add_environment_image(scene, images, path);
+  try {
+    images.finish(scene);
+    ADD_FAILURE() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    EXPECT_EQ(std::string(error.what()).find(path + ": "), 0u) << error.what();
+  }
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ TEST(GltfDocument, reads_a_percent_encoded_path_beside_the_file_longer_than_prom
 TEST(GltfDocument, reads_a_binary_file) {
   GltfFile file;
   add_triangle(file);
-  const Scene scene = load_gltf(file.folder.write("test.GLB", glb_of(file)), {});
+  const Scene scene = finish(open_gltf(file.folder.write("test.GLB", glb_of(file)), {}));
   EXPECT_EQ(scene.meshes[0].positions[1], glm::vec3(1, 0, 0));
 }
 
@@ -46,7 +46,7 @@ TEST(GltfDocument, refuses_broken_binary_files) {
   GltfFile file;
   add_triangle(file);
   const std::string good = glb_of(file);
-  const auto load = [&](const std::string& bytes) { load_gltf(file.folder.write("test.glb", bytes), {}); };
+  const auto load = [&](const std::string& bytes) { open_gltf(file.folder.write("test.glb", bytes), {}); };
   expect_refused([&] { load("glTX" + good.substr(4)); }, "does not begin with glTF");
   expect_refused([&] { load(good.substr(0, 15)); }, "ends within the GLB header");
   expect_refused([&] { load(good.substr(0, good.size() - 4)); }, "promises");
@@ -58,7 +58,7 @@ TEST(GltfDocument, refuses_broken_binary_files) {
 
 TEST(GltfDocument, refuses_what_is_not_gltf_2) {
   GltfFile file;
-  const auto load = [&](const std::string& text) { load_gltf(file.folder.write("test.gltf", text), {}); };
+  const auto load = [&](const std::string& text) { open_gltf(file.folder.write("test.gltf", text), {}); };
   expect_refused([&] { load(""); }, "not valid JSON");
   expect_refused([&] { load("{\"asset\": "); }, "not valid JSON");
   expect_refused([&] { load("[1]"); }, "not an object");
@@ -67,7 +67,7 @@ TEST(GltfDocument, refuses_what_is_not_gltf_2) {
   expect_refused([&] { load(R"({"asset": {"version": "2.0", "minVersion": "2.1"}})"); }, "2.1");
   expect_refused([&] { load(R"({"asset": {"version": "2.0"}})"); }, "no triangles");
   expect_refused([&] { load(std::string(100000, '[')); }, "nested deeper");
-  expect_refused([&] { load_gltf("test.missing.gltf", {}); }, "does not exist");
+  expect_refused([&] { open_gltf("test.missing.gltf", {}); }, "does not exist");
 }
 
 TEST(GltfDocument, refuses_missing_and_short_buffers) {

@@ -77,7 +77,7 @@ struct GltfFile {
     return whole.dump();
   }
 
-  Scene load(bool strict = false) { return load_gltf(folder.write("test.gltf", text()), {.strict = strict}); }
+  Scene load(bool strict = false) { return finish(open_gltf(folder.write("test.gltf", text()), {.strict = strict})); }
 };
 
 /// Corners (0 0 0) (1 0 0) (0 1 0).

@@ -12,14 +12,14 @@ namespace {
 
 Scene load(const std::string& text, const LoadOptions& options = {}) {
   const TemporaryFolder folder;
-  return load_obj(folder.write("model.obj", text), options);
+  return load_scene(folder.write("model.obj", text), options);
 }
 
 std::string refusal(const std::string& text, const LoadOptions& options = {}) {
   const TemporaryFolder folder;
   const std::string path = folder.write("model.obj", text);
   try {
-    load_obj(path, options);
+    load_scene(path, options);
   } catch (const Error& error) {
     EXPECT_EQ(error.kind(), ErrorKind::refused);
     return std::string(error.what()).substr(path.size() + 2);
@@ -66,8 +66,8 @@ TEST(LoadObjGeometry, FilesWithoutFacesAreRefused) {
   EXPECT_EQ(refusal(""), "no faces");
   EXPECT_EQ(refusal(kTriangle + "l 1 2\n"), "no faces");
   EXPECT_EQ(refusal(std::string(100, '\0')), "no faces");
-  EXPECT_THROW(load_obj("/nonexistent/model.obj", {}), Error);
-  EXPECT_THROW(load_obj("/", {}), Error);
+  EXPECT_THROW(open_obj("/nonexistent/model.obj", {}), Error);
+  EXPECT_THROW(open_obj("/", {}), Error);
 }
 
 TEST(LoadObjGeometry, NonFiniteVerticesDropTheirTrianglesOnly) {

@@ -101,7 +101,7 @@ TEST(ObjMaterials, NamesPathsAndLibrariesWithSpaces) {
   const std::string path =
       folder.write("m.obj", "mtllib sub dir\\my lib.mtl other.mtl\n" + kFace +
                                 "usemtl red paint #2\nf 1/1 2/1 3/1\nusemtl blue\nf 1/1 2/1 3/1\n");
-  const Scene scene = load_obj(path, {});
+  const Scene scene = load_scene(path, {});
   EXPECT_TRUE(scene.warnings.empty());
   const auto& materials = scene.meshes[0].triangle_materials;
   ASSERT_EQ(materials.size(), 3u);
@@ -116,7 +116,7 @@ TEST(ObjMaterials, MissingLibraryMaterialAndTextureAreWarnings) {
   const TemporaryFolder folder;
   folder.write("a.mtl", "newmtl a\nmap_Kd gone.png\n");
   const std::string path = folder.write("m.obj", "mtllib gone.mtl\nmtllib a.mtl\nusemtl b\n" + kFace);
-  const Scene scene = load_obj(path, {});
+  const Scene scene = load_scene(path, {});
   ASSERT_EQ(scene.warnings.size(), 3u);
   EXPECT_NE(scene.warnings[0].find("gone.mtl"), std::string::npos);
   EXPECT_NE(scene.warnings[1].find("gone.png"), std::string::npos);
@@ -127,19 +127,20 @@ TEST(ObjMaterials, UnsupportedStatementsAreWarningsOrRefused) {
   const TemporaryFolder folder;
   folder.write("a.mtl", "newmtl a\nrefl -type sphere x.png\nsharpness 60\n");
   const std::string path = folder.write("m.obj", "mtllib a.mtl\nusemtl a\n" + kFace);
-  const Scene scene = load_obj(path, {});
+  const Scene scene = load_scene(path, {});
   ASSERT_EQ(scene.warnings.size(), 1u);
   EXPECT_NE(scene.warnings[0].find("a.mtl: line 2: refl is not supported"), std::string::npos);
   LoadOptions strict;
   strict.strict = true;
-  EXPECT_THROW(load_obj(path, strict), Error);
+  EXPECT_THROW(load_scene(path, strict), Error);
 }
 
 TEST(ObjTextures, ScaleAndOffsetTurnWithV) {
   const TemporaryFolder folder;
   const std::string image = folder.write("a.ppm", ppm(1, 1, "abc"));
   Scene scene;
-  ObjTextures textures;
+  PendingImages images;
+  ObjTextures textures{images, "", {}};
   MtlTexture map;
   map.file = image;
   map.scale = {2.0, 4.0};
