@@ -1,6 +1,7 @@
 #include "cli/rendered_image.h"
 
 #include <cstdio>
+#include <exception>
 #include <filesystem>
 #include <future>
 #include <optional>
@@ -30,14 +31,25 @@ namespace {
 
 using Metadata = std::map<std::string, std::string>;
 
-/// Loads libraries beside the scene: the driver's, then those of the codecs, since the system's loader takes one
-/// request at a time. What is missing shows at get(), before anything is traced that could not be written.
-std::future<VulkanInstance> load_libraries() {
-  return std::async(std::launch::async, [] {
-    VulkanInstance instance;
+/// Libraries that are loaded beside the scene.
+struct Libraries {
+  std::future<VulkanInstance> vulkan;
+  std::future<void> codecs;  ///< what is missing shows at get()
+};
+
+/// The driver's first, which the tree waits for: the system's loader takes one request at a time.
+Libraries load_libraries() {
+  std::promise<VulkanInstance> vulkan;
+  Libraries libraries{vulkan.get_future(), {}};
+  libraries.codecs = std::async(std::launch::async, [promise = std::move(vulkan)]() mutable {
+    try {
+      promise.set_value(VulkanInstance());
+    } catch (...) {
+      promise.set_exception(std::current_exception());
+    }
     load_codecs();
-    return instance;
   });
+  return libraries;
 }
 
 /// What to go on from. A render that is killed before its first checkpoint begins anew by the same command.
@@ -80,7 +92,8 @@ PackedScene pack_with_progress(const LoadingSetup& loading, const RenderPlan& pl
 }
 
 RenderResult render_with_progress(const Device& device, const SceneSetup& setup, PackedScene shape,
-                                  const RenderPlan& plan, const Metadata& recipe, const SavedFilm* resumed) {
+                                  const RenderPlan& plan, const std::shared_future<Metadata>& recipe,
+                                  const SavedFilm* resumed) {
   ProgressBar bar(plan.quiet);
   RenderCallbacks callbacks;
   callbacks.progress = [&bar](const RenderProgress& progress) {
@@ -90,7 +103,7 @@ RenderResult render_with_progress(const Device& device, const SceneSetup& setup,
   callbacks.resumed = resumed;
   std::optional<Checkpoint> checkpoint;
   if (!plan.checkpoint.empty()) {
-    checkpoint.emplace(plan.checkpoint, recipe, plan.checkpoint_interval_s,
+    checkpoint.emplace(plan.checkpoint, recipe.get(), plan.checkpoint_interval_s,
                        [](const std::string& line) { print_warnings({line}); });
     callbacks.checkpoint = &*checkpoint;
   }
@@ -120,36 +133,40 @@ std::map<std::string, std::string> describe_image(const RenderPlan& plan, const 
 
 RenderedImage render_planned(RenderPlan plan) {
   const std::optional<SavedFilm> resumed = read_resumed(plan);
-  std::future<VulkanInstance> libraries = load_libraries();
+  Libraries libraries = load_libraries();
   const double aspect = static_cast<double>(plan.settings.width) / plan.settings.height;
   LoadingSetup loading = open_setup(plan.scene, aspect);
-  const VulkanInstance instance = libraries.get();
+  const VulkanInstance instance = libraries.vulkan.get();
   const DeviceDescription description = choose_device(list_devices(instance), plan.device);
   plan.settings.traversal = calibrated_form(description, loading.setup.scene, plan.settings.traversal);
   check_settings(plan.settings, description);
-  const auto recipe_of = [&](const Scene& scene) {
-    const RecipeMaker maker{description.name, description.driver,
-                            trace_spirv_hash(choose_scene_loads(description, plan.settings.traversal))};
-    return render_recipe(scene_recipe(plan.scene_arguments, scene.files, plan.render_arguments), maker);
+  std::shared_future<Metadata> recipe;
+  // Beside what follows: hashing a large scene's files takes longer than tracing a small picture.
+  const auto begin_recipe = [&](const Scene& scene) {
+    recipe = std::async(std::launch::async, [&, files = scene.files] {
+      const RecipeMaker maker{description.name, description.driver,
+                              trace_spirv_hash(choose_scene_loads(description, plan.settings.traversal))};
+      return render_recipe(scene_recipe(plan.scene_arguments, files, plan.render_arguments), maker);
+    });
   };
-  Metadata recipe;
   if (resumed) {  // that of another render is refused before the tree is built
     loading.images.finish(loading.setup.scene);
-    recipe = recipe_of(loading.setup.scene);
-    match_recipes("this render", recipe, plan.resume, resumed->recipe, {});
+    begin_recipe(loading.setup.scene);
+    match_recipes("this render", recipe.get(), plan.resume, resumed->recipe, {});
   }
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
   PackedScene shape = pack_with_progress(loading, plan, description);
+  libraries.codecs.get();  // before anything is traced that could not be written
   const SceneSetup setup = finish(std::move(loading));
   print_warnings(setup.scene.warnings);
-  if (!resumed) recipe = recipe_of(setup.scene);
+  if (!resumed) begin_recipe(setup.scene);
   const MemoryNeed memory = need_of(setup.scene, plan.settings);
   check_room(setup.scene, after_shape(memory), memory_there(description), plan.settings);
   RenderResult result =
       render_with_progress(device.device(), setup, std::move(shape), plan, recipe, resumed ? &*resumed : nullptr);
   print_warnings(result.statistics.warnings);
 
-  result.image.metadata.merge(describe_image(plan, result.image, result.statistics, recipe));
+  result.image.metadata.merge(describe_image(plan, result.image, result.statistics, recipe.get()));
   RenderReport report{setup.scene.source, description,          plan.settings,  std::move(result.statistics),
                       setup.load_ms,      setup.scene.warnings, device.store(), memory};
   report.warnings.insert(report.warnings.end(), report.statistics.warnings.begin(), report.statistics.warnings.end());

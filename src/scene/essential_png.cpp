@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <iterator>
 
 #include "error.h"
 #include "scene/png_pixels.h"
@@ -86,7 +85,7 @@ void check_pixels(const PngLayout& layout, std::span<const std::span<const std::
 }
 
 void append(std::vector<std::byte>& file, std::span<const std::byte> bytes) {
-  std::ranges::copy(bytes, std::back_inserter(file));
+  file.insert(file.end(), bytes.begin(), bytes.end());
 }
 
 }  // namespace
