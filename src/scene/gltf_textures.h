@@ -24,9 +24,8 @@ struct GltfTextures {
 
 /// Number in scene.textures of texture `index` of the file read as `encoding`, added on first use. EXT_texture_webp is
 /// preferred to the plain source. -1, as if there were no texture, with an unsupported_gltf that names it, where there
-/// is no image or it is KHR_texture_basisu without fallback; one that is broken is told of once it is decoded, and
-/// refused in a strict document. Throws Error(refused) for a number that
-/// is out of range; `place` names who asks.
+/// is no image or it is KHR_texture_basisu without fallback; one that is broken is told of once it is decoded, or
+/// refused in a strict document. Throws Error(refused) for a number that is out of range; `place` names who asks.
 int gltf_scene_texture(GltfDocument& document, int index, TexelEncoding encoding, const std::string& place,
                        GltfTextures& textures, Scene& scene);
 
