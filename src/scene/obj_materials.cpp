@@ -119,8 +119,8 @@ namespace {
 
 void add_textures(Scene& scene, ObjTextures& textures, Material& material, const MtlMaterial& source,
                   const std::string& folder) {
-  const auto use = [&](MtlMap map, MtlMapUse as) {
-    return use_obj_texture(scene, textures, map_of(source, map), as, folder);
+  const auto use = [&](MtlMap map, MtlMapUse as, Decoding decoding = Decoding::later) {
+    return use_obj_texture(scene, textures, map_of(source, map), as, folder, decoding);
   };
   std::array<TextureUse, TEXTURE_SLOT_COUNT>& slots = material.textures;
   slots[TEXTURE_SLOT_BASE_COLOR] = use(MtlMap::diffuse, MtlMapUse::color);
@@ -133,7 +133,9 @@ void add_textures(Scene& scene, ObjTextures& textures, Material& material, const
   if (!has_map(source, MtlMap::ambient) && ambient_is_diffuse(source)) {
     slots[TEXTURE_SLOT_SPECULAR_COLOR] = slots[TEXTURE_SLOT_BASE_COLOR];
   }
-  slots[TEXTURE_SLOT_NORMAL] = use(MtlMap::normal, MtlMapUse::normal);
+  // Heights stand in for normals that are missing or broken.
+  const Decoding decoding = has_map(source, MtlMap::bump) ? Decoding::at_once : Decoding::later;
+  slots[TEXTURE_SLOT_NORMAL] = use(MtlMap::normal, MtlMapUse::normal, decoding);
   if (slots[TEXTURE_SLOT_NORMAL].texture < 0) slots[TEXTURE_SLOT_NORMAL] = use(MtlMap::bump, MtlMapUse::height);
 }
 

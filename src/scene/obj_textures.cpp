@@ -40,39 +40,49 @@ std::shared_ptr<const Texels> load_texels(const std::string& path, const MtlText
   return std::make_shared<const Texels>(normals_from_heights(heights, map.bump_multiplier, wrap));
 }
 
-std::string key_of(const std::string& path, const MtlTexture& map, MtlMapUse use) {
+std::string key_of(const std::string& path, const MtlTexture& map, MtlMapUse use, Decoding decoding) {
   std::string key = path + '\n' + std::to_string(static_cast<int>(use)) + (map.clamp ? 'c' : 'r');
   if (use == MtlMapUse::scalar || use == MtlMapUse::height) key += map.channel;
   if (use == MtlMapUse::height) key += std::to_string(map.bump_multiplier);
-  return key;
+  return decoding == Decoding::at_once ? key + '!' : key;
 }
 
-int add_texture(Scene& scene, PendingImages& images, const std::string& path, const MtlTexture& map, MtlMapUse use) {
-  constexpr const char* kAfterFault = "; the material goes without this texture";
-  try {
-    check_image_file(path);
-  } catch (const Error& error) {
-    scene.warnings.push_back(error.what() + std::string(kAfterFault));
-    return -1;
-  }
+int add_texture(Scene& scene, PendingImages& images, const std::string& path, const MtlTexture& map, MtlMapUse use,
+                Decoding decoding) {
   const std::uint32_t wrap = map.clamp ? TEXTURE_WRAP_CLAMP : TEXTURE_WRAP_REPEAT;
   ImageJob job;
   job.decode = [=] { return load_texels(path, map, use, wrap); };
   job.file = path;
-  job.after_fault = kAfterFault;
-  scene.textures.push_back({map.file, {wrap, wrap, TEXTURE_FILTER_LINEAR}, images.add(std::move(job))});
+  job.after_fault = "; the material goes without this texture";
+  std::shared_ptr<const Texels> texels;
+  try {
+    check_image_file(path);
+    if (decoding == Decoding::at_once) texels = job.decode();
+  } catch (const MemoryError&) {
+    throw;
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::refused) throw;  // not the image's fault
+    scene.warnings.push_back(error.what() + job.after_fault);
+    return -1;
+  }
+  if (texels != nullptr) {
+    note_file(scene.files, path);
+  } else {
+    texels = images.add(std::move(job));
+  }
+  scene.textures.push_back({map.file, {wrap, wrap, TEXTURE_FILTER_LINEAR}, std::move(texels)});
   return static_cast<int>(scene.textures.size()) - 1;
 }
 
 }  // namespace
 
 TextureUse use_obj_texture(Scene& scene, ObjTextures& textures, const MtlTexture& map, MtlMapUse use,
-                           const std::string& mtl_folder) {
+                           const std::string& mtl_folder, Decoding decoding) {
   TextureUse result;
   if (map.file.empty()) return result;
   const std::string path = image_path(textures, map, mtl_folder);
-  const auto [known, is_new] = textures.texture_by_key.try_emplace(key_of(path, map, use), -1);
-  if (is_new) known->second = add_texture(scene, textures.images, path, map, use);
+  const auto [known, is_new] = textures.texture_by_key.try_emplace(key_of(path, map, use, decoding), -1);
+  if (is_new) known->second = add_texture(scene, textures.images, path, map, use, decoding);
   result.texture = known->second;
   // With V = 1 - v: v' = 1 - (V scale + offset).
   result.uv_from_vertex_uv = glm::mat3x2(float(map.scale.x), 0.0f, 0.0f, float(map.scale.y), float(map.offset.x),

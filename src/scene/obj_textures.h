@@ -17,6 +17,10 @@ enum class MtlMapUse {
   normal   ///< a normal map as it is
 };
 
+/// When an image is decoded: with the others, by `ObjTextures::images`, or at once where it has to be known whether it
+/// is sound.
+enum class Decoding { later, at_once };
+
 /// Textures of one OBJ file, each decoded once. Key: file, use, sampler and the options that change texels.
 struct ObjTextures {
   PendingImages& images;   ///< decode them
@@ -28,9 +32,9 @@ struct ObjTextures {
 /// MTL's upward v, converted to downward v. Clamping with -clamp on.
 /// The file is sought in `mtl_folder`, then in the folder of the OBJ, then by its bare name in both: models travel with
 /// paths of the machine they were made on. Backslashes are slashes.
-/// A missing image is a warning of `scene` and no texture (-1), told once; a broken one is told of once it is decoded.
-/// No map: no texture.
+/// A missing image is a warning of `scene` and no texture (-1), told once, and so is a broken one that is decoded at
+/// once; of others `images` tells. No map: no texture.
 TextureUse use_obj_texture(Scene& scene, ObjTextures& textures, const MtlTexture& map, MtlMapUse use,
-                           const std::string& mtl_folder);
+                           const std::string& mtl_folder, Decoding decoding = Decoding::later);
 
 }  // namespace vernier

@@ -77,6 +77,18 @@ TEST(MemoryNeed, shared_texels_count_once) {
   EXPECT_EQ(memory_need(scene).device_bytes, without + 4000);
 }
 
+TEST(MemoryNeed, after_the_shape_textures_and_the_device_s_are_left) {
+  Scene scene = grid_scene(50, 3);
+  auto texels = std::make_shared<Texels>();
+  texels->words.assign(1000, 0);
+  scene.textures.push_back({.name = "", .sampler = {}, .texels = texels});
+  const MemoryNeed need = memory_need(scene);
+  const MemoryNeed left = after_shape(need);
+  EXPECT_EQ(left.host_bytes, 4000u);
+  EXPECT_EQ(left.device_bytes, need.device_bytes);
+  EXPECT_EQ(left.triangles, need.triangles);
+}
+
 TEST(MemoryNeed, more_than_there_is_is_refused_with_both_numbers) {
   const MemoryNeed need{
       .triangles = 7, .stored_triangles = 7, .host_bytes = 3'000'000'000, .device_bytes = 1'000'000'000};

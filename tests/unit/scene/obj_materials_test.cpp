@@ -123,6 +123,24 @@ TEST(ObjMaterials, MissingLibraryMaterialAndTextureAreWarnings) {
   EXPECT_NE(scene.warnings[2].find("'b'"), std::string::npos);
 }
 
+TEST(ObjMaterials, HeightsStandInForBrokenNormals) {
+  const TemporaryFolder folder;
+  folder.write("broken.png", "xx");
+  folder.write("sound.ppm", ppm(1, 1, "abc"));
+  const auto normal_texture = [&](const std::string& maps) {
+    folder.write("a.mtl", "newmtl a\n" + maps);
+    const Scene scene = load_scene(folder.write("m.obj", "mtllib a.mtl\nusemtl a\n" + kFace), {});
+    const std::uint32_t material = scene.meshes[0].triangle_materials[0];
+    const int texture = scene.materials[material].textures[TEXTURE_SLOT_NORMAL].texture;
+    EXPECT_EQ(scene.warnings.size(), maps.starts_with("norm broken") ? 1u : 0u);
+    return texture < 0 ? "none" : scene.textures[static_cast<std::size_t>(texture)].name;
+  };
+  EXPECT_EQ(normal_texture("norm broken.png\n"), "none");
+  EXPECT_EQ(normal_texture("norm broken.png\nmap_bump sound.ppm\n"), "sound.ppm");
+  EXPECT_EQ(normal_texture("map_bump sound.ppm\n"), "sound.ppm");
+  EXPECT_EQ(normal_texture("norm sound.ppm\nmap_bump broken.png\n"), "sound.ppm") << "not asked for";
+}
+
 TEST(ObjMaterials, UnsupportedStatementsAreWarningsOrRefused) {
   const TemporaryFolder folder;
   folder.write("a.mtl", "newmtl a\nrefl -type sphere x.png\nsharpness 60\n");
