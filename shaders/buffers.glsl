@@ -16,7 +16,8 @@ layout(set = 0, binding = BINDING_VERTICES, rgba32ui) uniform readonly uimageBuf
 layout(set = 0, binding = BINDING_MATERIALS, rgba32ui) uniform readonly uimageBuffer material_texels;
 layout(set = 0, binding = BINDING_LIGHTS, rgba32ui) uniform readonly uimageBuffer light_texels;
 layout(set = 0, binding = BINDING_TEXTURES, rgba32ui) uniform readonly uimageBuffer texture_texels;
-layout(set = 0, binding = BINDING_TEXELS, r32ui) uniform readonly uimageBuffer texel_words;
+layout(set = 0, binding = BINDING_TEXELS, rgba32ui) uniform readonly uimageBuffer texel_quads;
+layout(set = 0, binding = BINDING_SRGB_CURVE, r32ui) uniform readonly uimageBuffer curve_words;
 layout(set = 0, binding = BINDING_FIRST_TRIANGLES, r32ui) uniform readonly uimageBuffer first_triangle_words;
 layout(set = 0, binding = BINDING_INSTANCES, rgba32ui) uniform readonly uimageBuffer instance_texels;
 uvec4 load_record(uint i) { return imageLoad(record_texels, int(i)); }
@@ -24,7 +25,16 @@ uvec4 load_vertex(uint i) { return imageLoad(vertex_texels, int(i)); }
 uvec4 load_material(uint i) { return imageLoad(material_texels, int(i)); }
 uvec4 load_light(uint i) { return imageLoad(light_texels, int(i)); }
 uvec4 load_texture(uint i) { return imageLoad(texture_texels, int(i)); }
-uint load_texel(uint i) { return imageLoad(texel_words, int(i)).x; }
+// Words by fours: drivers bound the number of elements, whatever their size.
+uvec4 load_texel_quad(uint i) { return imageLoad(texel_quads, int(i)); }
+// Word i of them.
+uint load_texel(uint i) {
+  uvec4 quad = load_texel_quad(i >> 2);
+  uint low = (i & 1u) == 0u ? quad.x : quad.y;
+  uint high = (i & 1u) == 0u ? quad.z : quad.w;
+  return (i & 2u) == 0u ? low : high;
+}
+uint load_curve(uint i) { return imageLoad(curve_words, int(i)).x; }
 uint load_first_triangle(uint i) { return imageLoad(first_triangle_words, int(i)).x; }
 uvec4 load_instance(uint i) { return imageLoad(instance_texels, int(i)); }
 #else
@@ -41,7 +51,9 @@ uvec4 load_vertex(uint i) { return vertex_texels[i]; }
 uvec4 load_material(uint i) { return material_texels[i]; }
 uvec4 load_light(uint i) { return light_texels[i]; }
 uvec4 load_texture(uint i) { return texture_texels[i]; }
+uvec4 load_texel_quad(uint i) { return uvec4(texel_words[4u * i], texel_words[4u * i + 1u], texel_words[4u * i + 2u], texel_words[4u * i + 3u]); }
 uint load_texel(uint i) { return texel_words[i]; }
+uint load_curve(uint i) { return texel_words[i]; }
 uint load_first_triangle(uint i) { return first_triangle_words[i]; }
 uvec4 load_instance(uint i) { return instance_texels[i]; }
 #endif

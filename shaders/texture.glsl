@@ -22,7 +22,7 @@ float wrapped_coordinate(IN(float) x, IN(uint) wrap) {
   return x - floor(x);
 }
 
-float srgb_to_linear(IN(uint) byte_value) { return uintBitsToFloat(load_texel(byte_value)); }
+float srgb_to_linear(IN(uint) byte_value) { return uintBitsToFloat(load_curve(byte_value)); }
 
 // One decoded texel; `texture` is word 0 to 3 of its description.
 vec4 decoded_texel(IN(uvec4) texture_words, IN(int) x, IN(int) y) {
@@ -30,8 +30,7 @@ vec4 decoded_texel(IN(uvec4) texture_words, IN(int) x, IN(int) y) {
   uint index = uint(y) * texture_words.x + uint(x);
   if (effect_on(EFFECT_FLOAT_TEXTURES) && format == TEXTURE_FORMAT_FLOAT) {
     note_run(EFFECT_FLOAT_TEXTURES);
-    uint first = texture_words.z + 4u * index;
-    return float_texel(uvec4(load_texel(first), load_texel(first + 1u), load_texel(first + 2u), load_texel(first + 3u)));
+    return float_texel(load_texel_quad(texture_words.z / 4u + index));
   }
   uint word = load_texel(texture_words.z + index);
   uvec4 bytes = uvec4(word & 255u, (word >> 8) & 255u, (word >> 16) & 255u, word >> 24);

@@ -45,7 +45,9 @@ uvec4 load_texture(uint i) {
   uint word = TEXTURE_FORMAT_FLOAT | wrap << TEXTURE_WRAP_U_SHIFT | wrap << TEXTURE_WRAP_V_SHIFT;
   return uvec4(uint(operand(2u)), uint(operand(3u)), 0u, word | uint(operand(5u)) << TEXTURE_FILTER_SHIFT);
 }
-uint load_texel(uint i) { return floatBitsToUint(float(i / 4u)); }
+uvec4 load_texel_quad(uint i) { return uvec4(floatBitsToUint(float(i))); }
+uint load_texel(uint i) { return load_texel_quad(i / 4u).x; }
+uint load_curve(uint i) { return 0u; }
 uvec4 load_material(uint i) { return uvec4(0u); }
 uvec4 load_instance(uint i) { return uvec4(0u); }
 

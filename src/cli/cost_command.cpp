@@ -119,6 +119,7 @@ void print_choices(const nlohmann::ordered_json& json) {
 Sweep measure(const CostArguments& arguments, SweepSetup& setup, const SceneSetup& scene, CostNames& names) {
   const VulkanInstance instance;
   const DeviceDescription description = choose_device(list_devices(instance), arguments.device);
+  prepare_folder(arguments.folder);
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
   ProgressBar bar(arguments.quiet);
   const WorkClock clock;
@@ -138,7 +139,6 @@ int run_cost(const CostArguments& arguments) {
   const SceneSetup scene =
       set_up_scene(scene_settings, static_cast<double>(setup.settings.width) / setup.settings.height);
   print_warnings(scene.scene.warnings);
-  prepare_folder(arguments.folder);
   CostNames names;
   const Sweep sweep = measure(arguments, setup, scene, names);
   names.scene = arguments.scene.scene;
@@ -167,11 +167,10 @@ void add_cost_command(CLI::App& app, Command& chosen) {
       "cost",
       "Accuracy against time: renders the scene at many settings and tells which are worth their time here. Writes "
       "cost.json, cost.csv, pictures and, by tools/report, report.html.");
-  command.add_option("SCENE", arguments->scene.scene, "scene file: .gltf, .glb or .obj (default: the built-in scene)")
-      ->type_name("");
-  command.add_option("-o,--output", arguments->folder, "folder for the report; made if it is not there")
-      ->type_name("DIR")
-      ->required();
+  add_scene_argument(command, arguments->scene.scene, false);
+  require_name(*command.add_option("-o,--output", arguments->folder, "folder for the report; made if it is not there")
+                    ->type_name("DIR")
+                    ->required());
   command.add_flag("--quick", arguments->quick, "a rough answer in less than a minute (default: off)");
   command
       .add_option("--budget", arguments->budget,

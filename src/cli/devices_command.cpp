@@ -12,7 +12,6 @@
 #include "cli/scene_setup.h"
 #include "error.h"
 #include "gpu/describe_devices.h"
-#include "image/whole_file.h"
 #include "render/form_file.h"
 #include "render/pipeline_file.h"
 
@@ -27,38 +26,41 @@ struct DevicesArguments {
 };
 
 /// Times the forms of the traversal with the built-in scene and keeps the best for `description`.
-nlohmann::ordered_json calibrate(const VulkanInstance& instance, const DeviceDescription& description, bool quiet) {
+nlohmann::ordered_json calibrate(const VulkanInstance& instance, const DeviceDescription& description,
+                                 const DevicesArguments& arguments) {
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
   FormBench bench;
   const SceneSetup builtin = set_up_scene({}, static_cast<double>(bench.width) / bench.height);
-  ProgressBar bar(quiet);
+  ProgressBar bar(arguments.quiet);
   const WorkClock clock;
   bench.progress = [&](double share) { bar.update(clock.at(share)); };
   const FormCalibration found = calibrate_forms(device.device(), builtin.scene, builtin.camera, bench);
   device.store();
   const std::string file = form_file(description.pipeline_key);
   if (!file.empty()) write_form(file, found.best);
-  std::printf(
-      "forms of the traversal on %s, the built-in scene, %dx%d, %u samples, %d rounds:\n%s\n%s\n",
-      description.name.c_str(), bench.width, bench.height, bench.spp, bench.rounds, form_table(found).c_str(),
-      file.empty() ? "not kept: VERNIER_PIPELINE_CACHE or a home folder names no place" : ("kept in " + file).c_str());
+  const std::string picture = std::to_string(bench.width) + "x" + std::to_string(bench.height) + ", " +
+                              std::to_string(bench.spp) + " samples, " + std::to_string(bench.rounds) + " rounds";
+  const std::string kept =
+      file.empty() ? "not kept: VERNIER_PIPELINE_CACHE or a home folder names no place" : "kept in " + file;
+  print_result(arguments.json_file, "forms of the traversal on " + description.name + ", the built-in scene, " +
+                                        picture + ":\n" + form_table(found) + "\n" + kept + "\n");
   return form_json(description.name, found);
 }
 
 int run_devices(const DevicesArguments& arguments) {
-  check_text_output(arguments.json_file);
+  check_json_output(arguments.json_file);
   if (!arguments.device.empty() && !arguments.calibrate) {
     throw Error(ErrorKind::usage, "--device: it says what --calibrate is for, which is not given");
   }
   const VulkanInstance instance;
   const std::vector<DeviceReport> reports = report_devices(instance);
-  std::fputs(describe_devices(reports).c_str(), stdout);
+  print_result(arguments.json_file, describe_devices(reports));
   nlohmann::ordered_json json = devices_json(reports);
   if (arguments.calibrate) {
     const DeviceDescription description = choose_device(list_devices(instance), arguments.device);
-    json["calibration"] = calibrate(instance, description, arguments.quiet);
+    json["calibration"] = calibrate(instance, description, arguments);
   }
-  if (!arguments.json_file.empty()) write_text(arguments.json_file, json_text(json));
+  write_json(arguments.json_file, json_text(json));
   const bool any = std::ranges::any_of(reports, [](const DeviceReport& report) { return report.device.usable; });
   return any ? 0 : static_cast<int>(ErrorKind::no_device);
 }

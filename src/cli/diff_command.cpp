@@ -11,7 +11,6 @@
 #include "error.h"
 #include "image/color_image.h"
 #include "image/read_image.h"
-#include "image/whole_file.h"
 #include "image/write_image.h"
 
 namespace vernier {
@@ -23,6 +22,7 @@ struct DiffArguments {
   std::string exposure = "0";
   std::string json_file;
   std::string map_file;
+  bool quiet = false;  ///< there is no progress to leave out
 };
 
 std::string size_text(const Image& image) {
@@ -41,7 +41,7 @@ Image read_whole_image(const std::string& path) {
 
 int run_diff(const DiffArguments& arguments) {
   const float exposure_ev = parse_exposure(arguments.exposure);
-  check_text_output(arguments.json_file);
+  check_json_output(arguments.json_file);
   if (!arguments.map_file.empty()) {
     check_image_output(arguments.map_file);
   }
@@ -53,17 +53,15 @@ int run_diff(const DiffArguments& arguments) {
   const Image a = read_whole_image(arguments.a);
   const Image b = read_whole_image(arguments.b);
   if (a.width != b.width || a.height != b.height) {
-    throw Error(ErrorKind::usage,
+    throw Error(ErrorKind::refused,
                 arguments.b + ": is of " + size_text(b) + " pixels, " + arguments.a + " of " + size_text(a));
   }
   const DiffReport report{arguments.a, arguments.b, compare_images(a, b), flip(b, a, exposure_ev)};
   if (!arguments.map_file.empty()) {
     write_image(arguments.map_file, flip_map_image(report.flip), DisplayTransform{});
   }
-  if (!arguments.json_file.empty()) {
-    write_text(arguments.json_file, json_text(diff_json(report)));
-  }
-  std::fputs(diff_table(report).c_str(), stdout);
+  write_json(arguments.json_file, json_text(diff_json(report)));
+  print_result(arguments.json_file, diff_table(report));
   return 0;
 }
 
@@ -83,6 +81,7 @@ void add_diff_command(CLI::App& app, Command& chosen) {
   command
       .add_option("--map", arguments->map_file, "writes the FLIP error of each pixel, 0 to 1, as grey (default: none)")
       ->type_name("FILE");
+  command.add_flag("--quiet", arguments->quiet, "no progress, which there is none of (default: off)");
   command.footer("Example: vernier diff render.exr truth.exr --json diff.json --map flip.png");
   command.callback([arguments, &chosen] { chosen = [arguments] { return run_diff(*arguments); }; });
 }

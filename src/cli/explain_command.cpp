@@ -16,7 +16,6 @@
 #include "cli/warnings.h"
 #include "effects/detect_effects.h"
 #include "error.h"
-#include "image/whole_file.h"
 #include "render/form_file.h"
 #include "render/pipeline_file.h"
 
@@ -85,16 +84,19 @@ int run_explain(const ExplainArguments& arguments) {
   catch_interrupt();
   const RenderSettings settings = parse_render_settings(arguments.render);
   const SceneSettings scene_settings = parse_scene_settings(arguments.scene);
-  check_text_output(arguments.json_file);
+  check_json_output(arguments.json_file);
+  const std::vector<NamedFile> files = {{"SCENE", scene_settings.scene, true},
+                                        {"--background", scene_settings.background_file, true},
+                                        {"--json", arguments.json_file}};
+  check_distinct(files);
   const double aspect = static_cast<double>(settings.width) / settings.height;
   const SceneSetup setup = set_up_scene(scene_settings, aspect);
   print_warnings(setup.scene.warnings);
   Explanation explanation = planned(setup, settings);
   const std::optional<Error> missing = measure_if_possible(setup, arguments, explanation);
-  if (!arguments.json_file.empty()) write_text(arguments.json_file, json_text(explain_json(explanation)));
+  write_json(arguments.json_file, json_text(explain_json(explanation)));
   const bool measured = !explanation.device.empty();
-  std::fputs((measured ? ledger_table(explanation) : effect_table(explanation.plan)).c_str(), stdout);
-  std::fflush(stdout);
+  print_result(arguments.json_file, measured ? ledger_table(explanation) : effect_table(explanation.plan));
   if (missing) throw *missing;
   return 0;
 }
@@ -108,7 +110,7 @@ void add_explain_command(CLI::App& app, Command& chosen) {
       "The effects a scene calls for: on or off, why, what each costs, and what the image loses without it. Costs are "
       "measured by leaving one effect out at a time, traced in turn with the whole frame. Without a device on, off and "
       "why are told all the same, with exit code 4.");
-  command.add_option("SCENE", arguments->scene.scene, "scene file: .gltf, .glb or .obj")->type_name("")->required();
+  add_scene_argument(command, arguments->scene.scene, true);
   add_size_option(command, arguments->render.size);
   command.add_option("--spp", arguments->render.spp, "samples per pixel; 1 samples the pixel centre (default: 4)")
       ->type_name("N");

@@ -53,6 +53,10 @@ std::map<std::string, std::string> whole_recipe(const ImagePart& part) {
 
 int run_merge(const MergeArguments& arguments) {
   check_image_output(arguments.output);
+  std::vector<NamedFile> files;
+  for (const std::string& part : arguments.parts) files.push_back({"PART", part, true});
+  files.push_back({"--output", arguments.output});
+  check_distinct(files);
   std::vector<ImagePart> parts;
   for (const std::string& file : arguments.parts) {
     parts.push_back(read_part(file));

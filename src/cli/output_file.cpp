@@ -3,15 +3,23 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 
 #include "error.h"
 #include "image/file_format.h"
+#include "image/whole_file.h"
 
 namespace vernier {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* kStandardOutput = "-";  // of --json, as scripts write it
+
+}  // namespace
 
 std::string default_image_path(const std::string& scene) {
   return scene.empty() ? "vernier.png" : fs::path(scene).stem().string() + ".png";
@@ -58,6 +66,25 @@ void check_distinct(std::span<const NamedFile> files) {
     throw Error(ErrorKind::usage,
                 std::string(file.option) + ": it names the same file as " + entry->second->option + ", " + file.path);
   }
+}
+
+void print_result(const std::string& json_file, const std::string& text) {
+  if (json_file == kStandardOutput) return;
+  std::fputs(text.c_str(), stdout);
+  std::fflush(stdout);
+}
+
+void write_json(const std::string& json_file, const std::string& json) {
+  if (json_file == kStandardOutput) {
+    std::fputs(json.c_str(), stdout);
+    std::fflush(stdout);
+  } else if (!json_file.empty()) {
+    write_text(json_file, json);
+  }
+}
+
+void check_json_output(const std::string& json_file) {
+  if (json_file != kStandardOutput) check_text_output(json_file);
 }
 
 void check_image_output(const std::string& path) {

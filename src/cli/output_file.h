@@ -26,6 +26,15 @@ struct NamedFile {
 /// Throws Error(usage) where two of `files` are the same, links followed, and not both read: one would be lost.
 void check_distinct(std::span<const NamedFile> files);
 
+/// What is told on standard output, `text`: left out where `json_file`, which --json names, is `-` and has it.
+void print_result(const std::string& json_file, const std::string& text);
+
+/// Writes `json` to the file that --json names: `-` is standard output, and none is asked for where it is empty.
+void write_json(const std::string& json_file, const std::string& json);
+
+/// The same as check_text_output for the file that --json names.
+void check_json_output(const std::string& json_file);
+
 /// The same as check_image_output for a file of any extension; an empty path (not asked for) is fine.
 void check_text_output(const std::string& path);
 

@@ -82,10 +82,14 @@ ProgressBar::ProgressBar(bool quiet)
 }
 
 ProgressBar::~ProgressBar() {
-  if (line_open_) {
-    std::fputs("\r\x1b[K", stderr);
-    std::fflush(stderr);
-  }
+  clear();
+}
+
+void ProgressBar::clear() {
+  if (!line_open_) return;
+  std::fputs("\r\x1b[K", stderr);
+  std::fflush(stderr);
+  line_open_ = false;
 }
 
 void ProgressBar::update(const ProgressState& state) {

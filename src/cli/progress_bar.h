@@ -46,6 +46,9 @@ class ProgressBar {
   /// Shows `state` if enough time has passed since the last one.
   void update(const ProgressState& state);
 
+  /// Clears the unfinished line, for another text.
+  void clear();
+
  private:
   bool quiet_;
   bool terminal_;

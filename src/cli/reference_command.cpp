@@ -106,7 +106,7 @@ int run_reference(const ReferenceArguments& arguments) {
 void add_reference_command(CLI::App& app, Command& chosen) {
   const auto arguments = std::make_shared<ReferenceArguments>();
   CLI::App& command = *app.add_subcommand("reference", "Renders in double precision on the CPU: slow, the arbiter.");
-  command.add_option("SCENE", arguments->scene.scene, "scene file: .gltf, .glb or .obj")->type_name("")->required();
+  add_scene_argument(command, arguments->scene.scene, true);
   command.add_option("-o,--output", arguments->output, "image file: .exr (all layers), .png, .jpg, .hdr or .tif")
       ->type_name("FILE")
       ->required();

@@ -17,7 +17,6 @@
 #include "error.h"
 #include "image/file_format.h"
 #include "image/read_image.h"
-#include "image/whole_file.h"
 #include "image/write_image.h"
 #include "shared/film_layout.h"
 
@@ -43,9 +42,7 @@ void print_summary(const RenderPlan& plan, const RenderReport& report, const Ima
 // Nothing takes the place of an older picture.
 void check_not_empty(const RenderReport& report, const RenderPlan& plan) {
   if (report.statistics.mean_samples > 0.0) return;
-  throw Error(ErrorKind::failed, plan.output + ": " + (interrupted() ? "interrupted" : "--time-limit ended it") +
-                                     " before the first sample, nothing is written" +
-                                     resume_hint(plan, report.device.name));
+  throw Error(ErrorKind::failed, no_sample_text(plan, report.device.name));
 }
 
 // What makes a render that was written a failed one.
@@ -66,9 +63,7 @@ int run_render(const RenderPlan& plan) {
   const RenderedImage rendered = render_planned(plan);
   check_not_empty(rendered.report, plan);
   write_image(plan.output, rendered.image, plan.display);
-  if (!plan.json_file.empty()) {
-    write_text(plan.json_file, json_text(render_json(rendered.report)));
-  }
+  write_json(plan.json_file, json_text(render_json(rendered.report)));
   print_summary(plan, rendered.report, rendered.image);
   check_outcome(rendered.report, plan);
   return 0;
@@ -135,7 +130,7 @@ RenderPlan plan_render(const RenderCommandArguments& arguments) {
   plan.quiet = arguments.quiet;
   plan.verbose = arguments.verbose;
   check_image_output(plan.output);
-  check_text_output(plan.json_file);
+  check_json_output(plan.json_file);
   const PixelRect area = image_area(plan.settings);
   check_image_size(plan.output, area.width, area.height);
   check_checkpoint_output(plan);
@@ -149,18 +144,12 @@ void add_render_command(CLI::App& app, Command& chosen) {
   const auto arguments = std::make_shared<RenderCommandArguments>();
   CLI::App& command =
       *app.add_subcommand("render", "Renders one image; without SCENE the built-in scene that shows every effect.");
-  // An empty variable of a shell is not meant to be the default.
-  const auto named = [](const std::string& name) { return std::string(name.empty() ? "the file name is empty" : ""); };
-  command.add_option("SCENE", arguments->scene.scene, "scene file: .gltf, .glb or .obj (default: the built-in scene)")
-      ->type_name("")
-      ->check(CLI::Validator(named, ""));
-  command
-      .add_option(
-          "-o,--output", arguments->output,
-          "image file: .exr (linear, all layers), .png, .jpg, .hdr or .tif (default: NAME.png of the scene here, else "
-          "vernier.png)")
-      ->type_name("FILE")
-      ->check(CLI::Validator(named, ""));
+  add_scene_argument(command, arguments->scene.scene, false);
+  require_name(*command
+                    .add_option("-o,--output", arguments->output,
+                                "image file: .exr (linear, all layers), .png, .jpg, .hdr or .tif (default: NAME.png of "
+                                "the scene here, else vernier.png)")
+                    ->type_name("FILE"));
   add_render_options(command, arguments->render);
   add_scene_options(command, arguments->scene);
   command

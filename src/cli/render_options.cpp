@@ -130,10 +130,8 @@ void add_path_options(CLI::App& app, RenderArguments& arguments) {
       ->type_name("N");
 }
 
-void add_sampling_options(CLI::App& app, RenderArguments& arguments) {
-  app.add_option(
-         "--spp", arguments.spp,
-         "samples per pixel; 1 samples the pixel centre (default: 16; with --error-target the most of a pixel: 65536)")
+void add_sampling_options(CLI::App& app, RenderArguments& arguments, const std::string& default_spp) {
+  app.add_option("--spp", arguments.spp, "samples per pixel; 1 samples the pixel centre (default: " + default_spp + ")")
       ->type_name("N");
   add_path_options(app, arguments);
 }
@@ -191,7 +189,7 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--crop", arguments.crop,
                  "pixels of the full image; their bits equal those of the full render (default: the whole image)")
       ->type_name("X,Y,W,H");
-  add_sampling_options(app, arguments);
+  add_sampling_options(app, arguments, "16; with --error-target the most of a pixel: 65536");
   app.add_option("--sample-range", arguments.sample_range,
                  "samples A to B-1 of each pixel, for merging (default: 0:spp)")
       ->type_name("A:B");

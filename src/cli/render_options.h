@@ -39,8 +39,8 @@ std::string spp_text(const RenderArguments& arguments);
 /// Adds --size to `app`, with the default that `size` holds: what reference and explain share with render.
 void add_size_option(CLI::App& app, std::string& size);
 
-/// Adds --spp, --max-bounces, --cutoff and --seed, which render and reference share.
-void add_sampling_options(CLI::App& app, RenderArguments& arguments);
+/// Adds --spp, whose help says what its default is, --max-bounces, --cutoff and --seed.
+void add_sampling_options(CLI::App& app, RenderArguments& arguments, const std::string& default_spp = "16");
 
 /// The same without --spp.
 void add_path_options(CLI::App& app, RenderArguments& arguments);

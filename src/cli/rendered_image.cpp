@@ -72,7 +72,7 @@ void check_room(const Scene& scene, const MemoryNeed& need, const MemoryThere& t
 
 /// Builds the tree while images are decoded. Large scenes take their time: whether there is room for them is known
 /// before, but for textures whose size is not known yet.
-PackedScene pack_with_progress(const LoadingSetup& loading, const RenderPlan& plan, const DeviceDescription& device) {
+PackedScene pack_with_progress(LoadingSetup& loading, const RenderPlan& plan, const DeviceDescription& device) {
   constexpr std::uint64_t kLarge = 1'000'000;
   const Scene& scene = loading.setup.scene;
   const MemoryNeed need = need_of(scene, plan.settings);
@@ -84,7 +84,9 @@ PackedScene pack_with_progress(const LoadingSetup& loading, const RenderPlan& pl
     std::fprintf(stderr, "%s%s\n", memory_text(need, there).c_str(), textures);
   }
   ProgressBar bar(plan.quiet);
-  return pack_shape(scene, plan.settings, [&bar, clock = WorkClock()](double share) {
+  return pack_shape(scene, plan.settings, [&, clock = WorkClock()](double share) {
+    loading.images.check_so_far();
+    if (interrupted()) throw Error(ErrorKind::failed, no_sample_text(plan, device.name));
     ProgressState state = clock.at(share);
     state.work = "BVH";
     bar.update(state);
@@ -115,6 +117,16 @@ RenderResult render_with_progress(const Device& device, const SceneSetup& setup,
     const std::string hint =
         saved ? resume_hint(plan, device.description().name) : "; nothing was saved, see --checkpoint";
     throw Error(error.kind(), error.what() + hint);
+  }
+}
+
+/// `recipe`, or none and a warning where the scene's files went while it was rendered: the picture is no worse for it.
+Metadata recipe_or_none(const std::shared_future<Metadata>& recipe, std::vector<std::string>& warnings) {
+  try {
+    return recipe.get();
+  } catch (const Error& failure) {
+    warnings.push_back(std::string(failure.what()) + "; the image has no recipe");
+    return {};
   }
 }
 
@@ -164,9 +176,10 @@ RenderedImage render_planned(RenderPlan plan) {
   check_room(setup.scene, after_shape(memory), memory_there(description), plan.settings);
   RenderResult result =
       render_with_progress(device.device(), setup, std::move(shape), plan, recipe, resumed ? &*resumed : nullptr);
+  Metadata words = recipe_or_none(recipe, result.statistics.warnings);
   print_warnings(result.statistics.warnings);
 
-  result.image.metadata.merge(describe_image(plan, result.image, result.statistics, recipe.get()));
+  result.image.metadata.merge(describe_image(plan, result.image, result.statistics, std::move(words)));
   RenderReport report{setup.scene.source, description,          plan.settings,  std::move(result.statistics),
                       setup.load_ms,      setup.scene.warnings, device.store(), memory};
   report.warnings.insert(report.warnings.end(), report.statistics.warnings.begin(), report.statistics.warnings.end());

@@ -30,7 +30,10 @@ struct RerunArguments {
 class ScratchFolder {
  public:
   ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "vernier-rerun-XXXXXX").string();
+    std::error_code failure;
+    const fs::path place = fs::temp_directory_path(failure);
+    if (failure) throw Error(ErrorKind::failed, "TMPDIR: there is no folder for temporary files");
+    std::string name = (place / "vernier-rerun-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) throw Error(ErrorKind::failed, name + ": cannot be made");
     path_ = name;
   }
@@ -46,11 +49,10 @@ class ScratchFolder {
   fs::path path_;
 };
 
-/// `image` as it comes back from a file like `file`, which holds `layer` alone where that has a name: what was rounded
-/// there is rounded here.
+/// `image` as it comes back from a file in `folder` like `file`, which holds `layer` alone where that has a name: what
+/// was rounded there is rounded here.
 ImageFile through_file(const std::string& file, const std::string& layer, const RenderPlan& plan,
-                       const ImageFile& image) {
-  const ScratchFolder folder;
+                       const ImageFile& image, const ScratchFolder& folder) {
   const std::string copy = (folder.path() / ("again" + fs::path(file).extension().string())).string();
   write_image(copy, image, plan.display);
   return read_image(layer_path(copy, layer));
@@ -76,6 +78,7 @@ int run_rerun(const RerunArguments& arguments) {
   recipe.quiet = arguments.quiet;
   if (!arguments.device.empty()) recipe.device = arguments.device;
   const RenderPlan plan = plan_render(recipe);
+  const ScratchFolder folder;
   catch_interrupt();
   const RenderedImage again = render_planned(plan);
   if (interrupted()) throw Error(ErrorKind::failed, arguments.image + ": interrupted before it was compared");
@@ -84,7 +87,7 @@ int run_rerun(const RerunArguments& arguments) {
   const auto layer = original.metadata.find("vernier:layer");
   const std::string layer_name = layer == original.metadata.end() ? "" : layer->second;
   const std::vector<std::string> lines =
-      layer_differences(original, through_file(arguments.image, layer_name, plan, again.image));
+      layer_differences(original, through_file(arguments.image, layer_name, plan, again.image, folder));
   if (lines.empty()) {
     std::printf("%s: the same bits again, %dx%d pixels, %zu %s\n", arguments.image.c_str(), original.width,
                 original.height, original.layers.size(), original.layers.size() == 1 ? "layer" : "layers");

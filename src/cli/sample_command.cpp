@@ -4,6 +4,7 @@
 #include <cctype>
 #include <string_view>
 
+#include "cli/interrupt.h"
 #include "cli/recipe.h"
 
 namespace vernier {
@@ -76,6 +77,11 @@ std::string resume_hint(const RenderPlan& plan, const std::string& device) {
   if (!plan.json_file.empty()) command += option("json", plan.json_file);
   return "; go on by: " + command + option("device", device) + option("checkpoint", plan.checkpoint) +
          option("resume", plan.checkpoint);
+}
+
+std::string no_sample_text(const RenderPlan& plan, const std::string& device) {
+  return plan.output + ": " + (interrupted() ? "interrupted" : "--time-limit ended it") +
+         " before the first sample, nothing is written" + resume_hint(plan, device);
 }
 
 }  // namespace vernier

@@ -22,4 +22,7 @@ std::string sample_command(const RenderPlan& plan, const std::string& device, co
 /// shell, that resumes it from its checkpoint on the device it ran on. Empty without a checkpoint.
 std::string resume_hint(const RenderPlan& plan, const std::string& device);
 
+/// The line about a render that ended before its first sample.
+std::string no_sample_text(const RenderPlan& plan, const std::string& device);
+
 }  // namespace vernier

@@ -33,12 +33,25 @@ void parse_background(const std::string& text, SceneSettings& settings) {
   if (text.find_first_not_of("0123456789.,+-eE") == std::string::npos) {
     settings.background_color = parse_color("--background", text);
   } else {
-    file_format(text, ErrorKind::usage);
+    file_format(text, ErrorKind::refused);
     settings.background_file = text;
   }
 }
 
 }  // namespace
+
+void require_name(CLI::Option& option) {
+  option.check(
+      CLI::Validator([](const std::string& name) { return std::string(name.empty() ? "the name is empty" : ""); }, ""));
+}
+
+void add_scene_argument(CLI::App& app, std::string& scene, bool required) {
+  const std::string help = "scene file: .gltf, .glb or .obj";
+  CLI::Option& option =
+      *app.add_option("SCENE", scene, required ? help : help + " (default: the built-in scene)")->type_name("");
+  option.required(required);
+  require_name(option);
+}
 
 void add_scene_options(CLI::App& app, SceneArguments& arguments) {
   const char* group = "What is seen";

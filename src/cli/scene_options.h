@@ -9,7 +9,8 @@
 
 namespace CLI {
 class App;
-}
+class Option;
+}  // namespace CLI
 
 namespace vernier {
 
@@ -43,6 +44,12 @@ struct SceneSettings {
   std::optional<glm::vec3> ambient;
   bool strict = false;
 };
+
+/// Refuses an empty text for `option`: an empty variable of a shell is not meant to be the default.
+void require_name(CLI::Option& option);
+
+/// Adds SCENE; without `required` it may be left out for the built-in scene.
+void add_scene_argument(CLI::App& app, std::string& scene, bool required);
 
 /// Adds --camera, --eye, --target, --up, --fov, --view-height, --light, --background, --ambient and --strict to `app`.
 /// `arguments` outlives the parse.

@@ -10,10 +10,10 @@
 #include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/parse_values.h"
+#include "cli/progress_bar.h"
 #include "cli/render_options.h"
 #include "cli/scene_setup.h"
 #include "error.h"
-#include "image/whole_file.h"
 #include "render/pipeline_file.h"
 #include "render/traversal_form.h"
 #include "verify/mutations.h"
@@ -33,6 +33,7 @@ struct VerifyArguments {
   std::string device;
   std::string traversal = "auto";
   bool with_costs = true;
+  bool quiet = false;
 };
 
 void set_level(CaseSetup& setup, const std::string& level) {
@@ -90,14 +91,27 @@ std::vector<Mutation> chosen_mutations(const std::string& name) {
   return {*found};
 }
 
-void say(const std::string& text) {
-  std::fputs(text.c_str(), stdout);
-  std::fflush(stdout);
-}
+/// Tells of one piece of the work after the other: lines on standard output, the share that is done on stderr.
+class Narrator {
+ public:
+  Narrator(const VerifyArguments& arguments, std::size_t count)
+      : json_file_(arguments.json_file), count_(static_cast<double>(count)), bar_(arguments.quiet) {}
 
-void write_json(const std::string& file, const nlohmann::json& json) {
-  if (!file.empty()) write_text(file, json_text(json));
-}
+  /// Before the next piece.
+  void begin() { bar_.update(clock_.at(begun_++ / count_)); }
+
+  void say(const std::string& text) {
+    bar_.clear();
+    print_result(json_file_, text);
+  }
+
+ private:
+  std::string json_file_;
+  double count_;
+  int begun_ = 0;
+  WorkClock clock_;
+  ProgressBar bar_;
+};
 
 /// Runs `cases` one after the other and tells of each. True when all held.
 bool run_suite(const VerifyArguments& arguments, const CaseSetup& setup, const DeviceReport& device,
@@ -107,22 +121,24 @@ bool run_suite(const VerifyArguments& arguments, const CaseSetup& setup, const D
   if (!arguments.device.empty()) again += " --device " + arguments.device;
   bool held = true;
   std::vector<CaseReport> reports;
-  say(case_table_head());
+  Narrator narrator(arguments, cases.size());
+  narrator.say(case_table_head());
   for (const VerifyCase* one : cases) {
     if (interrupted()) break;
+    narrator.begin();
     reports.push_back(run_case(*one, setup));
-    say(case_line(reports.back()));
-    if (!reports.back().held) say(failure_text(reports.back(), setup, again));
+    narrator.say(case_line(reports.back()));
+    if (!reports.back().held) narrator.say(failure_text(reports.back(), setup, again));
     held = held && reports.back().held;
   }
-  say(leak_line(count_leaks(reports)));
+  narrator.say(leak_line(count_leaks(reports)));
   std::vector<LevelCost> costs;
   if (arguments.case_name.empty() && arguments.with_costs && !interrupted()) {
     const SceneSetup builtin = set_up_scene({}, 16.0 / 9.0);
     costs = measure_level_costs(*setup.device, builtin.scene, builtin.camera, {});
-    say(level_cost_table(costs));
+    narrator.say(level_cost_table(costs));
   }
-  write_json(arguments.json_file, verify_json(device, setup, reports, costs));
+  write_json(arguments.json_file, json_text(verify_json(device, setup, reports, costs)));
   return held;
 }
 
@@ -131,13 +147,15 @@ bool run_mutations(const VerifyArguments& arguments, const CaseSetup& setup, con
                    std::span<const Mutation> faults) {
   bool caught = true;
   std::vector<std::vector<CaseReport>> reports;
+  Narrator narrator(arguments, faults.size());
   for (const Mutation& fault : faults) {
     if (interrupted()) break;
+    narrator.begin();
     reports.push_back(run_mutation(fault, setup));
-    say(mutation_line(fault, reports.back()));
+    narrator.say(mutation_line(fault, reports.back()));
     caught = caught && is_caught(reports.back());
   }
-  write_json(arguments.json_file, mutations_json(device, setup, faults.first(reports.size()), reports));
+  write_json(arguments.json_file, json_text(mutations_json(device, setup, faults.first(reports.size()), reports)));
   return caught;
 }
 
@@ -145,7 +163,7 @@ int run_verify(const VerifyArguments& arguments) {
   CaseSetup setup = case_setup(arguments);
   const std::vector<const VerifyCase*> cases = chosen_cases(arguments.case_name);
   const std::vector<Mutation> faults = chosen_mutations(arguments.mutation);
-  check_text_output(arguments.json_file);
+  check_json_output(arguments.json_file);
   const VulkanInstance instance;
   const DeviceDescription description = choose_device(list_devices(instance), arguments.device);
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
@@ -153,7 +171,7 @@ int run_verify(const VerifyArguments& arguments) {
   catch_interrupt();
   require_loads(description, choose_scene_loads(description, setup.traversal));
   const DeviceReport report{description, probe_device(device.device()), ""};
-  say(describe_devices({&report, 1}) + "\n");
+  print_result(arguments.json_file, describe_devices({&report, 1}) + "\n");
   const bool good =
       faults.empty() ? run_suite(arguments, setup, report, cases) : run_mutations(arguments, setup, report, faults);
   device.store();
@@ -169,7 +187,10 @@ void add_verify_command(CLI::App& app, Command& chosen) {
       "verify",
       "Runs the hard cases of the numeric suite on a device, with the shader functions that render. Exit code 0 "
       "when every target of the level is met, or when every seeded fault was caught; else 1.");
-  command.add_option("--rays", arguments->rays, "samples per case (default: 65536)")->type_name("N");
+  command
+      .add_option("--rays", arguments->rays,
+                  "samples per case; fewer where one is a picture or a long sum (default: 65536)")
+      ->type_name("N");
   command
       .add_option("--level,--accuracy", arguments->level,
                   "numeric level: fast (shown, no targets), robust or exact (default: robust)")
@@ -188,6 +209,7 @@ void add_verify_command(CLI::App& app, Command& chosen) {
   command.add_option("--device", arguments->device, "device by index or part of its name (default: the best)")
       ->type_name("INDEX|NAME");
   add_traversal_option(command, arguments->traversal);
+  command.add_flag("--quiet", arguments->quiet, "no progress (default: off)");
   command.footer("Example: vernier verify --case shared_edge --rays 1000000");
   command.callback([arguments, &chosen] { chosen = [arguments] { return run_verify(*arguments); }; });
 }

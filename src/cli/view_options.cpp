@@ -10,8 +10,7 @@ namespace vernier {
 CLI::App& add_view_subcommand(CLI::App& app, ViewArguments& arguments) {
   CLI::App& command = *app.add_subcommand("view", "Opens a window to look around in a scene.");
   RenderCommandArguments& render = arguments.render;
-  command.add_option("SCENE", render.scene.scene, "scene file: .gltf, .glb or .obj (default: the built-in scene)")
-      ->type_name("");
+  add_scene_argument(command, render.scene.scene, false);
   add_size_option(command, render.render.size);
   add_sampling_options(command, render.render);
   add_filter_options(command, render.render);
@@ -33,6 +32,7 @@ CLI::App& add_view_subcommand(CLI::App& app, ViewArguments& arguments) {
   command.add_option("--record", arguments.record, "folder of the script's screenshots (default: none)")
       ->type_name("DIR")
       ->needs(script);
+  command.add_flag("--quiet", render.quiet, "as everywhere; the window tells its progress itself (default: off)");
   // For tests: where each widget lies, as JSON, whenever that changes.
   command.add_option("--places", arguments.places)->group("");
   command.footer(

@@ -31,11 +31,12 @@ SceneSettings with_words(const SceneSettings& settings, const RenderCommandArgum
 }
 
 /// Builds the tree while images are decoded.
-PackedScene pack_viewed(const Scene& scene, BuildMethod method) {
+PackedScene pack_viewed(LoadingSetup& loading, BuildMethod method) {
+  const Scene& scene = loading.setup.scene;
   const MemoryNeed need = memory_need(scene);
   MemoryClaim claim;
   check_memory(scene.source, need, claim_memory(claim, need, memory_there()));
-  return pack_shape(scene, 0, method);
+  return pack_shape(scene, 0, method, [&](double) { loading.images.check_so_far(); });
 }
 
 ViewedScene load_viewed(SceneSettings settings, const RenderCommandArguments& arguments, const CameraWords& words,
@@ -45,10 +46,10 @@ ViewedScene load_viewed(SceneSettings settings, const RenderCommandArguments& ar
   LoadingSetup loading = open_setup(settings, aspect);
   ViewedScene viewed;
   viewed.source = settings.scene;
-  viewed.packed = pack_viewed(loading.setup.scene, method);
+  viewed.packed = pack_viewed(loading, method);
   SceneSetup setup = finish(std::move(loading));
   print_warnings(setup.scene.warnings);
-  check_memory(settings.scene, after_shape(memory_need(setup.scene)), memory_there());
+  check_memory(setup.scene.source, after_shape(memory_need(setup.scene)), memory_there());
   pack_look(setup.scene, viewed.packed);
   viewed.words = words;
   viewed.camera = setup.camera;

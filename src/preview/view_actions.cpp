@@ -1,6 +1,7 @@
 // What a window does between two traces.
 #include <cstdio>
 #include <filesystem>
+#include <new>
 #include <utility>
 
 #include "error.h"
@@ -142,6 +143,8 @@ void ViewWindow::apply() {
     if (error.kind() == ErrorKind::device_lost) throw;
     state_.message = error.what();
     state_.settings = session_->settings();
+  } catch (const std::bad_alloc&) {  // by what is loaded beside
+    state_.message = "out of memory";
   }
 }
 

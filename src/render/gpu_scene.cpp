@@ -7,6 +7,7 @@
 #include "bvh/box.h"
 #include "bvh/decode_record.h"
 #include "shared/bindings.h"
+#include "shared/material_layout.h"
 
 namespace vernier {
 namespace {
@@ -59,7 +60,8 @@ GpuScene::GpuScene(const Device& device, const PackedScene& packed, SceneLoads l
   materials_ = uploaded(device, packed.materials, wide);
   lights_ = uploaded(device, packed.lights, wide);
   textures_ = uploaded(device, packed.textures, wide);
-  texels_ = uploaded(device, packed.texels, narrow);
+  texels_ = uploaded(device, packed.texels, wide);
+  if (texels) srgb_curve_ = uploaded(device, std::span(packed.texels).first(SRGB_CURVE_WORDS), narrow);
   first_triangles_ = uploaded(device, packed.first_triangles, narrow);
   instances_ = uploaded(device, packed.instances, wide);
 }
@@ -69,6 +71,7 @@ std::vector<Binding> GpuScene::bindings() const {
       {BINDING_RENDER, &constants_},  {BINDING_RECORDS, &records_},     {BINDING_INSTANCES, &instances_},
       {BINDING_VERTICES, &vertices_}, {BINDING_MATERIALS, &materials_}, {BINDING_LIGHTS, &lights_},
       {BINDING_TEXTURES, &textures_}, {BINDING_TEXELS, &texels_},       {BINDING_FIRST_TRIANGLES, &first_triangles_}};
+  if (loads_ == SceneLoads::texels) bindings.push_back({BINDING_SRGB_CURVE, &srgb_curve_});
   if (tree_) bindings.push_back({.binding = BINDING_BOX_TREE, .tree = &*tree_});
   return bindings;
 }

@@ -46,6 +46,7 @@ class GpuScene {
   std::optional<BoxTree> tree_;
   float tree_reach_ = 0.0f;  // of the tree
   Buffer constants_, records_, instances_, vertices_, materials_, lights_, textures_, texels_, first_triangles_;
+  Buffer srgb_curve_;  // with texel loads
 };
 
 }  // namespace vernier

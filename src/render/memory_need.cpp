@@ -1,13 +1,13 @@
 #include "render/memory_need.h"
 
 #include <algorithm>
-#include <unordered_set>
 
 #include "bvh/bvh.h"
 #include "error.h"
 #include "math/host_memory.h"
 #include "render/bake_instances.h"
 #include "render/film.h"
+#include "render/pack_materials.h"
 #include "render/plan_instances.h"
 #include "render/read_film.h"
 #include "shared/film_layout.h"
@@ -42,15 +42,6 @@ std::uint64_t most_vertices(const InstancePlan& plan) {
   return std::min(3 * plan.stored_triangles, plan.stored_vertices + plan.stored_vertices / 4);
 }
 
-std::uint64_t texture_bytes(const Scene& scene) {
-  std::unordered_set<const Texels*> counted;
-  std::uint64_t bytes = 0;
-  for (const Texture& texture : scene.textures) {
-    if (counted.insert(texture.texels.get()).second) bytes += 4 * texture.texels->words.size();
-  }
-  return bytes;
-}
-
 /// What the host needs at the most.
 std::uint64_t of_host(const MemoryNeed& need, const MemoryThere& there) {
   return need.host_bytes + (there.shared ? need.device_bytes : 0);
@@ -60,10 +51,13 @@ void check(const std::string& source, const MemoryNeed& need, std::uint64_t need
            const char* whose) {
   if (!there || needed <= *there) return;
   const bool shares = need.stored_triangles < need.triangles;
+  const bool by_textures = need.texture_bytes > needed / 4;  // they may count twice
   const std::string stored = shares ? " (" + std::to_string(need.stored_triangles) + " in memory)" : "";
-  throw Error(ErrorKind::refused, source + ": " + std::to_string(need.triangles) + " triangles" + stored + " need " +
-                                      needed_memory_text(needed) + " of the " + whose + "'s memory, " +
-                                      memory_there_text(*there) + " are there; simplify or split the model");
+  const std::string textures = by_textures ? " and " + needed_memory_text(need.texture_bytes) + " of textures" : "";
+  throw Error(ErrorKind::refused, source + ": " + std::to_string(need.triangles) + " triangles" + stored + textures +
+                                      " need " + needed_memory_text(needed) + " of the " + whose + "'s memory, " +
+                                      memory_there_text(*there) + " are there; " +
+                                      (by_textures ? "make the textures smaller" : "simplify or split the model"));
 }
 
 void check_image(std::uint64_t scene, std::uint64_t image, std::optional<std::uint64_t> there, const char* whose) {
@@ -84,7 +78,7 @@ MemoryNeed memory_need(const Scene& scene, Sharing sharing) {
   for (const std::uint32_t mesh : plan.meshes) shared_triangles += scene.meshes[mesh].triangles.size();
   const std::uint64_t vertex_bytes = choose_vertex_layout(scene, UvSets::all).texels * kTexelBytes;
   const std::uint64_t laid_out = most_vertices(plan);
-  need.texture_bytes = texture_bytes(scene);
+  need.texture_bytes = texel_words(scene) * sizeof(std::uint32_t);
   const std::uint64_t but_vertices = most_record_bytes(plan.stored_triangles + plan.shared_instances) +
                                      plan.shared_instances * sizeof(DeviceInstance) +
                                      scene.instances.size() * kObjectBytes + need.texture_bytes;

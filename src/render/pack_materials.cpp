@@ -4,12 +4,18 @@
 #include <cmath>
 #include <cstring>
 #include <map>
+#include <unordered_set>
 
 #include "error.h"
 #include "shared/render_constants.h"
 
 namespace vernier {
 namespace {
+
+/// Texels of a texture begin at multiples of 4 words.
+std::size_t whole_quads(std::size_t words) {
+  return (words + 3) / 4 * 4;
+}
 
 DeviceTextureUse device_texture_use(const TextureUse& use) {
   const glm::mat3x2& m = use.uv_from_vertex_uv;
@@ -80,8 +86,18 @@ std::vector<std::uint32_t> pack_materials(const Scene& scene, double metres_per_
   return words;
 }
 
+std::uint64_t texel_words(const Scene& scene) {
+  std::unordered_set<const Texels*> counted;
+  std::uint64_t words = 0;
+  for (const Texture& texture : scene.textures) {
+    if (counted.insert(texture.texels.get()).second) words += whole_quads(texture.texels->words.size());
+  }
+  return words;
+}
+
 PackedTextures pack_textures(const Scene& scene) {
   PackedTextures packed;
+  packed.texels.reserve(SRGB_CURVE_WORDS + texel_words(scene));
   for (int byte = 0; byte < static_cast<int>(SRGB_CURVE_WORDS); ++byte) {
     packed.texels.push_back(std::bit_cast<std::uint32_t>(srgb_to_linear(byte)));
   }
@@ -89,7 +105,10 @@ PackedTextures pack_textures(const Scene& scene) {
   for (const Texture& texture : scene.textures) {
     const Texels& texels = *texture.texels;
     const auto [entry, is_new] = first_word.try_emplace(&texels, packed.texels.size());
-    if (is_new) packed.texels.insert(packed.texels.end(), texels.words.begin(), texels.words.end());
+    if (is_new) {
+      packed.texels.insert(packed.texels.end(), texels.words.begin(), texels.words.end());
+      packed.texels.resize(whole_quads(packed.texels.size()));
+    }
     if (packed.texels.size() >= NONE) {
       throw Error(ErrorKind::refused, scene.source + ": textures need more than 4294967294 words");
     }

@@ -14,10 +14,14 @@ DeviceMaterial device_material(const Material& material, double metres_per_unit)
 /// All materials: [material][MATERIAL_TEXELS][4] words, each a DeviceMaterial and its DeviceTextureUses.
 std::vector<std::uint32_t> pack_materials(const Scene& scene, double metres_per_unit);
 
+/// Words that pack_textures makes of the texels of all textures, shared ones once.
+std::uint64_t texel_words(const Scene& scene);
+
 /// Textures and their texels.
 struct PackedTextures {
   std::vector<std::uint32_t> textures;  ///< [texture][4]: width, height, first word of texels, format, wraps and filter
-  std::vector<std::uint32_t> texels;    ///< 256 words of the sRGB curve, then all texels, shared ones once
+  std::vector<std::uint32_t>
+      texels;  ///< 256 words of the sRGB curve, then all texels (shared/bindings.h), shared ones once
 };
 
 /// Packs all textures. Throws Error(refused) when the texels need 2^32 words or more.

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "scene/mesh_faults.h"
 #include "scene/view_side.h"
 
 namespace vernier {
@@ -58,11 +59,11 @@ std::vector<glm::dvec3> corners_of(const WorldBounds& box) {
   return corners;
 }
 
-/// Which vertices of `mesh` are corners of triangles. Dropped triangles have no place.
+/// Which vertices of `mesh` are corners of triangles that can be seen.
 std::vector<bool> used_vertices(const Mesh& mesh) {
   std::vector<bool> used(mesh.positions.size());
   for (const glm::uvec3& triangle : mesh.triangles) {
-    if (triangle == glm::uvec3(0)) continue;
+    if (!has_area(mesh, triangle)) continue;
     for (int c = 0; c < 3; ++c) used[triangle[c]] = true;
   }
   return used;

@@ -203,7 +203,7 @@ GltfDocument parse_gltf_document(std::span<const std::byte> file, const std::str
   if (is_animated) warn_gltf(document, "animations", "ignored, the default pose is shown");
   for (std::size_t i = 0; i < images.size(); ++i) document.images.push_back(describe_image(document, images[i], i));
   for (std::size_t i = 0; i < buffers.size(); ++i) {
-    document.buffers.push_back(load_buffer(document, buffers[i], i, container));
+    document.buffers.push_back(std::make_shared<const GltfBuffer>(load_buffer(document, buffers[i], i, container)));
   }
   check_gltf_references(document);
   return document;
@@ -211,7 +211,7 @@ GltfDocument parse_gltf_document(std::span<const std::byte> file, const std::str
 
 std::span<const std::byte> gltf_view_bytes(const GltfDocument& document, int view, const std::string& place) {
   const tinygltf::BufferView& buffer_view = document.model.bufferViews[static_cast<std::size_t>(view)];
-  const GltfBuffer& buffer = document.buffers[static_cast<std::size_t>(buffer_view.buffer)];
+  const GltfBuffer& buffer = *document.buffers[static_cast<std::size_t>(buffer_view.buffer)];
   const std::string name = "bufferView " + std::to_string(view);
   if (buffer.is_fallback) {
     refuse_gltf(document, place, name + " reads buffer " + std::to_string(buffer_view.buffer) + ", which has no bytes");

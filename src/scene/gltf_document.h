@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <vector>
@@ -36,7 +37,7 @@ struct GltfDocument {
   std::string directory;  ///< of the file: relative URIs start here
   bool strict = false;
   tinygltf::Model model;
-  std::vector<GltfBuffer> buffers;
+  std::vector<std::shared_ptr<const GltfBuffer>> buffers;  ///< images that wait to be decoded keep theirs
   std::vector<GltfImage> images;
   std::vector<std::string> files;  ///< read so far, as Scene::files
   std::vector<std::string> warnings;

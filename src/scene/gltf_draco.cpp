@@ -38,7 +38,7 @@ int add_accessor(GltfDocument& document, tinygltf::Accessor accessor, std::vecto
   accessor.byteOffset = 0;
   accessor.count = count;
   accessor.sparse.isSparse = false;
-  document.buffers.push_back({std::move(bytes), false});
+  document.buffers.push_back(std::make_shared<const GltfBuffer>(GltfBuffer{std::move(bytes), false}));
   document.model.bufferViews.push_back(std::move(view));
   document.model.accessors.push_back(std::move(accessor));
   return static_cast<int>(document.model.accessors.size()) - 1;

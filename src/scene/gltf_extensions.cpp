@@ -7,7 +7,7 @@
 namespace vernier {
 namespace {
 
-constexpr std::array<std::string_view, 16> kSupported = {"KHR_lights_punctual",
+constexpr std::array<std::string_view, 17> kSupported = {"KHR_lights_punctual",
                                                          "KHR_materials_ior",
                                                          "KHR_materials_transmission",
                                                          "KHR_materials_volume",
@@ -17,6 +17,7 @@ constexpr std::array<std::string_view, 16> kSupported = {"KHR_lights_punctual",
                                                          "KHR_materials_pbrSpecularGlossiness",
                                                          "KHR_texture_transform",
                                                          "KHR_mesh_quantization",
+                                                         "KHR_node_visibility",
                                                          "EXT_mesh_gpu_instancing",
                                                          "EXT_texture_webp",
                                                          "KHR_draco_mesh_compression",

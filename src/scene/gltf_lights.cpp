@@ -1,5 +1,6 @@
 #include "scene/gltf_lights.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -14,12 +15,15 @@ void read_cone(const GltfDocument& document, const tinygltf::SpotLight& spot, co
   constexpr double kRounding = 1e-6;  // pi / 2 as printed by exporters that compute in float
   light.inner_cone_angle = spot.innerConeAngle;
   light.outer_cone_angle = spot.outerConeAngle;
-  if (!(light.inner_cone_angle >= 0.0 && light.inner_cone_angle < light.outer_cone_angle &&
-        light.outer_cone_angle <= kHalfPi + kRounding)) {
+  // Equal angles, which the extension forbids, are how exporters write a cone with a sharp edge.
+  if (!(light.inner_cone_angle >= 0.0 && light.inner_cone_angle <= light.outer_cone_angle &&
+        light.outer_cone_angle > 0.0 && light.outer_cone_angle <= kHalfPi + kRounding)) {
     refuse_gltf(document, place,
                 "cone angles " + std::to_string(light.inner_cone_angle) + " and " +
                     std::to_string(light.outer_cone_angle) + " are not 0 <= inner < outer <= pi / 2");
   }
+  light.outer_cone_angle = std::min(light.outer_cone_angle, kHalfPi);
+  light.inner_cone_angle = std::min(light.inner_cone_angle, light.outer_cone_angle);
 }
 
 Light read_light(const GltfDocument& document, int index) {

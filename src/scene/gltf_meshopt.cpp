@@ -30,7 +30,7 @@ CompressedView describe(const GltfDocument& document, std::size_t view, const ti
   compressed.place = "bufferView " + std::to_string(view) + ", EXT_meshopt_compression";
   const int buffer_index = gltf_index(extension, "buffer", -1);
   check_gltf_index(document, compressed.place, "buffer", buffer_index, document.buffers.size());
-  const GltfBuffer& buffer = document.buffers[static_cast<std::size_t>(buffer_index)];
+  const GltfBuffer& buffer = *document.buffers[static_cast<std::size_t>(buffer_index)];
   const int offset = gltf_index(extension, "byteOffset", 0);
   const int length = gltf_index(extension, "byteLength", -1);
   const int count = gltf_index(extension, "count", -1);
@@ -108,7 +108,7 @@ void expand_gltf_meshopt(GltfDocument& document) {
     view.buffer = static_cast<int>(document.buffers.size());
     view.byteOffset = 0;
     view.byteLength = decoded.bytes.size();
-    document.buffers.push_back(std::move(decoded));
+    document.buffers.push_back(std::make_shared<const GltfBuffer>(std::move(decoded)));
   }
 }
 

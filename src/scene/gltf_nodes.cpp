@@ -22,9 +22,10 @@ glm::dmat4 affine_matrix(const GltfDocument& document, const std::vector<double>
   constexpr double kTolerance = 1e-6;  // what exporters leave behind when they multiply matrices in float
   glm::dmat4 matrix(1.0);
   for (int i = 0; i < 16; ++i) matrix[i / 4][i % 4] = numbers[static_cast<std::size_t>(i)];
+  if (matrix[3][3] > 0.0) matrix /= matrix[3][3];  // the same points
   for (int column = 0; column < 4; ++column) {
     const double wanted = column == 3 ? 1.0 : 0.0;
-    if (std::abs(matrix[column][3] - wanted) > kTolerance) {
+    if (!(std::abs(matrix[column][3] - wanted) <= kTolerance)) {
       refuse_gltf(document, "node " + std::to_string(node), "its matrix is not affine");
     }
     matrix[column][3] = wanted;
@@ -54,6 +55,13 @@ std::vector<int> roots_of(const tinygltf::Model& model) {
     if (!is_child[i]) roots.push_back(static_cast<int>(i));
   }
   return roots;
+}
+
+/// By KHR_node_visibility.
+bool is_visible(const tinygltf::Node& node) {
+  const tinygltf::Value* extension = find_gltf_extension(node.extensions, "KHR_node_visibility");
+  if (extension == nullptr || !extension->Get("visible").IsBool()) return true;
+  return extension->Get("visible").Get<bool>();
 }
 
 int instancing_accessor(const GltfDocument& document, const tinygltf::Value& attributes, const char* name,
@@ -100,6 +108,7 @@ std::vector<int> gltf_scene_nodes(const GltfDocument& document) {
     const auto node = static_cast<std::size_t>(index);
     if (is_met[node]) refuse_gltf(document, "node " + std::to_string(index), "the scene reaches it twice");
     is_met[node] = true;
+    if (!is_visible(model.nodes[node])) continue;  // nor are those below
     met.push_back(index);
     const std::vector<int>& children = model.nodes[node].children;
     pending.insert(pending.end(), children.rbegin(), children.rend());

@@ -61,7 +61,11 @@ std::function<std::shared_ptr<const Texels>()> decoder_of(const GltfDocument& do
   }
   if (image.buffer_view < 0) throw Error(ErrorKind::refused, place + ": it has neither uri nor bufferView");
   const std::span<const std::byte> bytes = gltf_view_bytes(document, image.buffer_view, place);
-  return [=, copy = std::vector(bytes.begin(), bytes.end())] { return decode_texels(copy, place, encoding); };
+  // Not a copy: many images may share their bytes.
+  const auto view = static_cast<std::size_t>(image.buffer_view);
+  const auto buffer = static_cast<std::size_t>(document.model.bufferViews[view].buffer);
+  const std::shared_ptr<const std::byte> first(document.buffers[buffer], bytes.data());
+  return [=, size = bytes.size()] { return decode_texels({first.get(), size}, place, encoding); };
 }
 
 ImageJob job_of(const GltfDocument& document, const GltfImageUse& use, const std::string& place) {
@@ -69,7 +73,7 @@ ImageJob job_of(const GltfDocument& document, const GltfImageUse& use, const std
   const bool is_file = !image.uri.empty() && !is_data_uri(image.uri);
   ImageJob job;
   job.before_fault = (document.strict ? document.path + ": " : "") + place + ", image " + std::to_string(use.first) +
-                     (is_file ? " (" + image.uri + ")" : "") + ": white is used instead: ";
+                     (is_file ? " (" + image.uri + ")" : "") + (document.strict ? ": " : ": white is used instead: ");
   job.needed = document.strict;
   try {
     job.decode = decoder_of(document, use);

@@ -11,13 +11,6 @@ std::size_t texel_count(const Texels& texels) {
   return std::size_t{texels.width} * texels.height;
 }
 
-// The values as stored: an 8-bit image is read without the sRGB curve.
-Texels without_curve(const Texels& texels) {
-  Texels stored = texels;
-  if (stored.format == TEXTURE_FORMAT_SRGB8) stored.format = TEXTURE_FORMAT_LINEAR8;
-  return stored;
-}
-
 bool has_transparency(const Texels& texels) {
   for (std::size_t i = 0; i < texel_count(texels); ++i) {
     if (texel_color(texels, i).a < 1.0f) return true;
@@ -51,12 +44,13 @@ std::uint32_t neighbour(std::uint32_t i, int step, std::uint32_t count, std::uin
 }  // namespace
 
 Texels scalar_map(const Texels& texels, char channel) {
-  const Texels stored = without_curve(texels);
-  if (channel == '\0') channel = has_transparency(stored) ? 'm' : 'l';
-  Texels result = stored;
-  const bool is_float = stored.format == TEXTURE_FORMAT_FLOAT;
-  for (std::size_t i = 0; i < texel_count(stored); ++i) {
-    const float value = channel_value(texel_color(stored, i), channel);
+  Texels result = texels;
+  // The values as stored: an 8-bit image is read without the sRGB curve.
+  if (result.format == TEXTURE_FORMAT_SRGB8) result.format = TEXTURE_FORMAT_LINEAR8;
+  if (channel == '\0') channel = has_transparency(result) ? 'm' : 'l';
+  const bool is_float = result.format == TEXTURE_FORMAT_FLOAT;
+  for (std::size_t i = 0; i < texel_count(result); ++i) {
+    const float value = channel_value(texel_color(result, i), channel);
     if (is_float) {
       for (std::size_t c = 0; c < 3; ++c) result.words[4 * i + c] = std::bit_cast<std::uint32_t>(value);
       result.words[4 * i + 3] = std::bit_cast<std::uint32_t>(1.0f);

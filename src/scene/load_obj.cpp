@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <optional>
 
 #include "error.h"
 #include "math/parallel_for.h"
@@ -24,6 +25,16 @@ std::size_t choose_part_count(std::size_t bytes) {
   return std::clamp<std::size_t>(bytes / kLeastPartBytes, 1, resolve_thread_count(0));
 }
 
+/// The material `name`; of names that are in no library that of the same but for comments behind either.
+std::optional<std::uint32_t> find_material(const std::map<std::string, std::uint32_t>& index_by_name,
+                                           const std::string& name) {
+  const auto found = index_by_name.find(name);
+  if (found != index_by_name.end()) return found->second;
+  const auto same = [bare = without_comment(name)](const auto& entry) { return without_comment(entry.first) == bare; };
+  const auto alike = std::ranges::find_if(index_by_name, same);
+  return alike == index_by_name.end() ? std::nullopt : std::optional(alike->second);
+}
+
 MaterialChoice choose_materials(Scene& scene, const ObjGeometry& geometry,
                                 const std::map<std::string, std::uint32_t>& index_by_name) {
   MaterialChoice choice;
@@ -32,9 +43,9 @@ MaterialChoice choose_materials(Scene& scene, const ObjGeometry& geometry,
   std::size_t unknown_count = 0;
   std::string first_unknown;
   for (const std::string& name : geometry.material_names) {
-    const auto found = index_by_name.find(name);
-    choice.by_name.push_back(found == index_by_name.end() ? choice.none : found->second);
-    if (found == index_by_name.end() && unknown_count++ == 0) first_unknown = name;
+    const std::optional<std::uint32_t> found = find_material(index_by_name, name);
+    choice.by_name.push_back(found.value_or(choice.none));
+    if (!found && unknown_count++ == 0) first_unknown = name;
   }
   if (unknown_count > 0) {
     scene.warnings.push_back(scene.source + ": " + std::to_string(unknown_count) + " materials, first " +

@@ -60,6 +60,12 @@ void drop_triangles(Mesh& mesh, std::size_t mesh_index, FaultList& faults) {
 
 }  // namespace
 
+bool has_area(const Mesh& mesh, const glm::uvec3& triangle) {
+  const glm::dvec3 corner(mesh.positions[triangle.x]);
+  const glm::dvec3 side(glm::dvec3(mesh.positions[triangle.y]) - corner);
+  return glm::cross(side, glm::dvec3(mesh.positions[triangle.z]) - corner) != glm::dvec3(0.0);
+}
+
 void repair_mesh(Mesh& mesh, std::size_t mesh_index, FaultList& faults) {
   drop_triangles(mesh, mesh_index, faults);
   if (mesh.positions.empty() && !mesh.triangles.empty()) mesh.positions.emplace_back(0.0f);

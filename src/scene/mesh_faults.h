@@ -7,6 +7,9 @@
 
 namespace vernier {
 
+/// Whether a ray can hit `triangle` of `mesh`, whose positions are finite: its corners lie in no line.
+bool has_area(const Mesh& mesh, const glm::uvec3& triangle);
+
 /// Drops the triangles of `mesh` that have a non-finite corner or an index out of range (all three indices become 0),
 /// replaces non-finite vertex values by "none" (normals and tangents 0, uvs 0, colours 1) and -0 positions by +0.
 /// Texture

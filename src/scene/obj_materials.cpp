@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
+#include <set>
 
 #include "error.h"
+#include "scene/find_file.h"
 #include "scene/read_text.h"
 #include "scene/text_words.h"
 
@@ -51,6 +52,14 @@ int illumination_of(const MtlMaterial& source, const std::string& place, std::ve
   return absent;
 }
 
+/// Models 4 and 9 are glass where something lets light through: exporters write 4, `Tf 1 1 1` and `Ni 1` for whatever
+/// is opaque, too, which is 2 then.
+int without_idle_glass(int illumination, const MtlMaterial& source) {
+  if (illumination != 4 && illumination != 9) return illumination;
+  const bool is_dissolved = source.opacity.value_or(1.0) < 1.0 || has_map(source, MtlMap::dissolve);
+  return is_dissolved || source.ior.value_or(1.0) != 1.0 ? illumination : 2;
+}
+
 bool is_mirror(int illumination) {
   return illumination == 3 || illumination == 5 || illumination == 8;
 }
@@ -86,7 +95,7 @@ Material default_obj_material() {
 }
 
 Material blinn_material(const MtlMaterial& source, const std::string& place, std::vector<std::string>& warnings) {
-  const int illumination = illumination_of(source, place, warnings);
+  const int illumination = without_idle_glass(illumination_of(source, place, warnings), source);
   const glm::dvec3 diffuse = color_or_map(source.diffuse, source, MtlMap::diffuse, kDefaultDiffuse);
   const glm::dvec3 specular = color_or_map(source.specular, source, MtlMap::specular, kBlack);
   const double opacity = std::clamp(source.opacity.value_or(1.0), 0.0, 1.0);
@@ -117,8 +126,18 @@ Material blinn_material(const MtlMaterial& source, const std::string& place, std
 
 namespace {
 
+/// Files of normal maps that heights would stand in for, should they be broken.
+std::set<std::string> normals_with_heights(const MtlLibrary& library) {
+  std::set<std::string> files;
+  for (const MtlMaterial& source : library.materials) {
+    if (has_map(source, MtlMap::bump)) files.insert(map_of(source, MtlMap::normal).file);
+  }
+  return files;
+}
+
+/// Normal maps of the files `at_once` are decoded at once.
 void add_textures(Scene& scene, ObjTextures& textures, Material& material, const MtlMaterial& source,
-                  const std::string& folder) {
+                  const std::string& folder, const std::set<std::string>& at_once) {
   const auto use = [&](MtlMap map, MtlMapUse as, Decoding decoding = Decoding::later) {
     return use_obj_texture(scene, textures, map_of(source, map), as, folder, decoding);
   };
@@ -134,7 +153,8 @@ void add_textures(Scene& scene, ObjTextures& textures, Material& material, const
     slots[TEXTURE_SLOT_SPECULAR_COLOR] = slots[TEXTURE_SLOT_BASE_COLOR];
   }
   // Heights stand in for normals that are missing or broken.
-  const Decoding decoding = has_map(source, MtlMap::bump) ? Decoding::at_once : Decoding::later;
+  const bool is_asked = at_once.contains(map_of(source, MtlMap::normal).file);
+  const Decoding decoding = is_asked ? Decoding::at_once : Decoding::later;
   slots[TEXTURE_SLOT_NORMAL] = use(MtlMap::normal, MtlMapUse::normal, decoding);
   if (slots[TEXTURE_SLOT_NORMAL].texture < 0) slots[TEXTURE_SLOT_NORMAL] = use(MtlMap::bump, MtlMapUse::height);
 }
@@ -153,11 +173,14 @@ std::map<std::string, std::uint32_t> load_obj_materials(LoadingScene& loading, c
   ObjTextures textures{loading.images, folder_of(obj_path), {}};
   for (std::string name : libraries) {
     std::ranges::replace(name, '\\', '/');
-    std::string path = name.starts_with('/') ? name : textures.obj_folder + name;
-    std::error_code ignored;
-    if (!std::filesystem::is_regular_file(path, ignored))
-      path = textures.obj_folder + name.substr(name.find_last_of('/') + 1);
-    if (!std::filesystem::is_regular_file(path, ignored)) {
+    const std::string named = name.starts_with('/') ? name : textures.obj_folder + name;
+    std::string path;
+    const std::string beside = textures.obj_folder + name.substr(name.find_last_of('/') + 1);
+    for (const bool any_case : {false, true}) {
+      if (path.empty()) path = find_file(named, any_case);
+      if (path.empty()) path = find_file(beside, any_case);
+    }
+    if (path.empty()) {
       scene.warnings.push_back(obj_path + ": material library " + printable(name) +
                                " is not there; its materials are grey");
       continue;
@@ -166,10 +189,11 @@ std::map<std::string, std::uint32_t> load_obj_materials(LoadingScene& loading, c
     note_file(scene.files, path);
     for (const std::string& line : library.unsupported) warn_unsupported(scene, options, path + ": " + line);
     for (const std::string& line : library.faults) scene.warnings.push_back(path + ": " + line);
+    const std::set<std::string> at_once = normals_with_heights(library);
     for (const MtlMaterial& source : library.materials) {
       if (!index_by_name.try_emplace(source.name, static_cast<std::uint32_t>(scene.materials.size())).second) continue;
       scene.materials.push_back(blinn_material(source, path + ": material " + printable(source.name), scene.warnings));
-      add_textures(scene, textures, scene.materials.back(), source, folder_of(path));
+      add_textures(scene, textures, scene.materials.back(), source, folder_of(path), at_once);
     }
   }
   return index_by_name;

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <thread>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -37,16 +38,19 @@ void decode(PendingImage& image) {
     throw;
   } catch (const Error& failure) {
     if (failure.kind() != ErrorKind::refused) throw;  // not the image's fault
-    image.fault = failure.what();
+    image.fault = image.job.before_fault + failure.what() + image.job.after_fault;
+    if (image.job.needed) throw Error(ErrorKind::refused, image.fault);
   }
 }
 
-/// Tells of `image`, whose number among broken ones is `broken_count`.
-void tell_fault(const PendingImage& image, std::size_t broken_count, Scene& scene) {
-  const std::string line = image.job.before_fault + image.fault + image.job.after_fault;
-  if (image.job.needed) throw Error(ErrorKind::refused, line);
-  if (broken_count > kMaxWarnings) return;
-  scene.warnings.push_back(broken_count < kMaxWarnings ? line : "further broken images are left out");
+/// Adds `faults` to `warnings`, each line once: an image may be decoded for several uses.
+void tell_faults(const std::vector<std::string>& faults, std::vector<std::string>& warnings) {
+  std::unordered_set<std::string> told(warnings.begin(), warnings.end());
+  std::size_t count = 0;
+  for (const std::string& fault : faults) {
+    if (!told.insert(fault).second || count > kMaxWarnings) continue;
+    warnings.push_back(count++ < kMaxWarnings ? fault : "further broken images are left out");
+  }
 }
 
 /// Takes out the textures without texels; who uses one goes without.
@@ -75,15 +79,31 @@ struct PendingImages::Work {
   std::size_t next = 0;             // that nobody has begun with
   bool is_complete = false;         // no image will be added
   std::exception_ptr failure;
+  std::size_t failed = 0;  // image of the failure
   std::vector<std::jthread> threads;
 
   ~Work() {
     {
       const std::scoped_lock lock(mutex);
       next = images.size();
+    }
+    complete();
+  }
+
+  /// Lets threads end that find no image.
+  void complete() {
+    {
+      const std::scoped_lock lock(mutex);
       is_complete = true;
     }
     has_changed.notify_all();
+  }
+
+  /// Waits for the threads; throws what failed.
+  void wait() {
+    complete();
+    threads.clear();
+    if (failure) std::rethrow_exception(failure);
   }
 
   /// Decodes images until there are none and none will be added.
@@ -92,7 +112,8 @@ struct PendingImages::Work {
     while (true) {
       has_changed.wait(lock, [this] { return next < images.size() || is_complete; });
       if (next == images.size()) return;
-      PendingImage& image = images[next++];
+      const std::size_t number = next++;
+      PendingImage& image = images[number];
       lock.unlock();
       std::exception_ptr thrown;
       try {
@@ -102,7 +123,11 @@ struct PendingImages::Work {
       }
       lock.lock();
       if (!thrown) continue;
-      failure = failure ? failure : thrown;
+      // Images before this one have been begun, so that it does not hang on the threads which fails first in order.
+      if (!failure || number < failed) {
+        failure = thrown;
+        failed = number;
+      }
       next = images.size();
     }
   }
@@ -134,25 +159,29 @@ bool PendingImages::empty() const {
   return work_->images.empty();
 }
 
-void PendingImages::finish(Scene& scene) {
+void PendingImages::check_so_far() {
   {
     const std::scoped_lock lock(work_->mutex);
-    work_->is_complete = true;
+    if (!work_->failure) return;
   }
-  work_->has_changed.notify_all();
+  work_->wait();
+}
+
+void PendingImages::finish(Scene& scene) {
+  work_->complete();
   work_->take_part();
-  work_->threads.clear();  // waits for each
-  if (work_->failure) std::rethrow_exception(work_->failure);
+  work_->wait();
   std::unordered_map<const Texels*, const PendingImage*> image_of;
-  std::size_t broken_count = 0;
+  std::vector<std::string> faults;
   for (const PendingImage& image : work_->images) {
     image_of.emplace(image.placeholder.get(), &image);
     if (image.texels == nullptr) {
-      tell_fault(image, broken_count++, scene);
+      faults.push_back(image.fault);
     } else if (!image.job.file.empty()) {
       note_file(scene.files, image.job.file);
     }
   }
+  tell_faults(faults, scene.warnings);
   for (Texture& texture : scene.textures) {
     const auto found = image_of.find(texture.texels.get());
     if (found != image_of.end()) texture.texels = found->second->texels;

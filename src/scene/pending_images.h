@@ -14,7 +14,7 @@ struct ImageJob {
   std::string file = "";          ///< of its own that it is read from; empty where there is none
   std::string before_fault = "";  ///< begins the line that tells what is wrong with a broken one
   std::string after_fault = "";   ///< ends it
-  bool needed = false;            ///< a broken one is refused; else the materials go without it, with a warning
+  bool needed = false;            ///< a broken one ends it all; else the materials go without it, with a warning
 };
 
 /// Images of a scene, decoded by threads of their own while others go on with its geometry.
@@ -35,9 +35,13 @@ class PendingImages {
   /// Whether there are images that `finish` has to wait for.
   bool empty() const;
 
+  /// Throws what `finish` is going to, as soon as that is known: for who goes on meanwhile. By one thread at a time.
+  void check_so_far();
+
   /// Waits for all images and gives them to the textures of `scene`. Names their files, in the order of `add`, and
-  /// warns of broken ones, a hundred times at most; their textures are taken out of the scene. Throws Error(refused)
-  /// for a broken one that is needed, and a MemoryError and whatever else `decode` throws.
+  /// warns of broken ones, each line once and a hundred at most; their textures are taken out of the scene. Throws
+  /// Error(refused) for a broken one that is needed, and a MemoryError and whatever else `decode` throws, of several
+  /// images that of the one that was added first.
   void finish(Scene& scene);
 
  private:

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "scene/mesh_faults.h"
+
 namespace vernier {
 namespace {
 
@@ -65,10 +67,6 @@ bool stays_far_from_range(const glm::dmat4& m, double reach) {
     farthest = std::max(farthest, turned * reach + std::abs(m[3][row]));
   }
   return farthest <= kLargestCoordinate / 2.0;
-}
-
-bool is_dropped(const glm::uvec3& triangle) {
-  return triangle == glm::uvec3(0);
 }
 
 template <class Value>
@@ -185,10 +183,12 @@ void repair_materials(Scene& scene, FaultList& faults) {
 }
 
 bool has_triangles(const Scene& scene) {
-  return std::ranges::any_of(scene.instances, [&](const Instance& instance) {
-    return std::ranges::any_of(scene.meshes[instance.mesh].triangles,
-                               [](const glm::uvec3& triangle) { return !is_dropped(triangle); });
-  });
+  std::vector<bool> visible;
+  for (const Mesh& mesh : scene.meshes) {
+    visible.push_back(
+        std::ranges::any_of(mesh.triangles, [&](const glm::uvec3& triangle) { return has_area(mesh, triangle); }));
+  }
+  return std::ranges::any_of(scene.instances, [&](const Instance& instance) { return visible[instance.mesh]; });
 }
 
 }  // namespace vernier

@@ -32,6 +32,13 @@ std::string_view take_last_word(std::string_view& text) {
   return word;
 }
 
+std::string_view without_comment(std::string_view text) {
+  for (std::size_t i = 1; i < text.size(); ++i) {
+    if (text[i] == '#' && kBlanks.find(text[i - 1]) != std::string_view::npos) return trimmed(text.substr(0, i));
+  }
+  return text;
+}
+
 std::string printable(std::string_view text) {
   constexpr std::size_t kLongest = 40;
   std::string shown = "'";

@@ -18,6 +18,9 @@ std::string_view take_word(std::string_view& text);
 /// Cuts the last blank-separated word off `text` and returns it; empty at the end.
 std::string_view take_last_word(std::string_view& text);
 
+/// `text` without a comment at its end: a # behind a blank. Names may have that, too (`Material #25`).
+std::string_view without_comment(std::string_view text);
+
 /// `text` in quotes for a message: what cannot be printed becomes '?', and what is beyond 40 characters is left out.
 std::string printable(std::string_view text);
 

@@ -56,8 +56,8 @@ std::shared_ptr<const Texels> decode_texels(std::span<const std::byte> encoded, 
   auto texels = std::make_shared<Texels>();
   MemoryClaim claim;
   codec<decltype(read_texels)>("read_texels")(
-      encoded, extension, name, encoding,
-      [&](std::uint64_t bytes) { check_texel_memory(name, bytes, claim.take(bytes)); }, *texels);
+      encoded, extension, name, encoding, [&](std::uint64_t bytes) { claim_texel_memory(claim, name, bytes); },
+      *texels);
   return texels;
 }
 
@@ -75,9 +75,14 @@ std::shared_ptr<const Texels> decode_texels_from_file(const std::string& path, T
   const std::streamoff size = file.tellg();
   // A directory opens as a stream of nonsense size; a true image file is far below what is checked here.
   if (size < 0 || std::uint64_t(size) > kMaxTexels * 16) refuse(path, "not a readable image file");
-  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-  file.seekg(0);
-  if (!file.read(reinterpret_cast<char*>(bytes.data()), size)) refuse(path, "the file cannot be read");
+  std::vector<std::byte> bytes;
+  {
+    MemoryClaim claim;
+    claim_texel_memory(claim, path, static_cast<std::uint64_t>(size));
+    bytes.resize(static_cast<std::size_t>(size));
+    file.seekg(0);
+    if (!file.read(reinterpret_cast<char*>(bytes.data()), size)) refuse(path, "the file cannot be read");
+  }
   return decode_texels(bytes, path, encoding);
 }
 

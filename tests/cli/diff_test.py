@@ -43,7 +43,13 @@ class DiffTest(ProgramTest):
     def test_sizes_that_differ(self):
         a = self.image("a.png", 8, 4, lambda x, y: (0, 0, 0))
         b = self.image("b.png", 4, 8, lambda x, y: (0, 0, 0))
-        self.check_error(USAGE, "", "diff", a, b)
+        self.check_error(REFUSED, "4x8", "diff", a, b)
+
+    def test_json_alone_on_standard_output(self):
+        a = self.image("a.png", 8, 4, lambda x, y: (x * 30, y * 60, 9))
+        result = self.check_done("diff", a, a, "--json", "-", "--quiet")
+        self.assertEqual(json.loads(result.stdout)["rmse"], 0)
+        self.assertEqual(self.files(), ["a.png"])
 
     def test_missing_and_broken_images(self):
         a = self.image("a.png", 8, 4, lambda x, y: (0, 0, 0))

@@ -3,7 +3,7 @@
 import json
 import unittest
 
-from program import NO_DEVICE, SCENE, SMALL, TRIANGLE_OBJ, ProgramTest
+from program import NO_DEVICE, SCENE, SMALL, TRIANGLE_OBJ, USAGE, ProgramTest
 
 EFFECT_COUNT = 25
 FIXED_COUNT = 3
@@ -32,6 +32,10 @@ class ExplainTest(ProgramTest):
         report = self.check_report(result)
         self.assertEqual(len(result.stdout.splitlines()), EFFECT_COUNT + 1 + 1 + FIXED_COUNT + 1)
         return {effect["name"]: effect["on"] for effect in report["effects"]}
+
+    def test_the_scene_is_no_place_for_the_json(self):
+        scene = self.write("triangle.obj", TRIANGLE_OBJ)
+        self.check_error(USAGE, "--json: it names the same file as SCENE", "explain", scene, "--no-costs", "--json", scene)
 
     def test_costs_are_those_of_what_is_on(self):
         self.write("triangle.obj", TRIANGLE_OBJ)

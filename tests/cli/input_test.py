@@ -42,6 +42,7 @@ class InputTest(ProgramTest):
         self.check_error(REFUSED, "sky.hdr", "render", SCENE, "-o", "out.png", "--background", "sky.hdr", *SMALL)
         self.write("sky.hdr", "not an image")
         self.check_error(REFUSED, "sky.hdr", "explain", SCENE, "--background", "sky.hdr")
+        self.check_error(REFUSED, "sky.bmp", "render", SCENE, "--background", "sky.bmp")
 
     def test_broken_texture_is_one_warning(self):
         self.write("triangle.obj", "mtllib a.mtl\nusemtl m\n" + TRIANGLE_OBJ)

@@ -37,6 +37,7 @@ class MergeTest(ProgramTest):
                             ([*crops, both[0]], "both0.exr: holds samples that crop3.exr holds too, the first of them: pixel 17,9, sample 0")]:
             self.check_error(REFUSED, line, "merge", *parts, "-o", "x.exr")
         self.assertNotIn("x.exr", self.files())
+        self.check_error(USAGE, "--output: it names the same file as PART", "merge", *crops, "-o", crops[0])
 
     def test_exposure_is_that_of_the_parts(self):
         halves = [self.render(f"{i}.exr", "--exposure", "1", "--crop", crop) for i, crop in enumerate(("0,0,20,24", "20,0,20,24"))]

@@ -26,6 +26,11 @@ class VerifyTest(ProgramTest):
         self.assertEqual((report["watertight"]["rays"], report["watertight"]["leaks"]), (2048, 0))
         self.assertEqual(report["watertight"]["embree"], {"rays": 10900, "allowed_rate": 2e-5})
 
+    def test_json_alone_on_standard_output(self):
+        result = self.check_done("verify", "--case", "shared_edge", *FEW, "--json", "-", "--quiet")
+        self.assertTrue(json.loads(result.stdout)["held"])
+        self.assertEqual((self.files(), result.stderr), ([], ""))
+
     def test_numbers_are_whole_and_in_range(self):
         for option in ("--rays", "--seed", "--sample"):
             for value in ("-1", "4294967296", "1e6", "x"):

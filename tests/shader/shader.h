@@ -109,6 +109,12 @@ uvec4 load_texture(uint i) {
 uint load_texel(uint i) {
   return memory->texels.at(i);
 }
+uvec4 load_texel_quad(uint i) {
+  return {load_texel(4 * i), load_texel(4 * i + 1), load_texel(4 * i + 2), load_texel(4 * i + 3)};
+}
+uint load_curve(uint i) {
+  return load_texel(i);
+}
 uint load_first_triangle(uint i) {
   return memory->first_triangles.at(i);
 }

@@ -113,6 +113,16 @@ TEST(WorldBounds, InstancesAndUsedVerticesOnly) {
   EXPECT_EQ(bounds.hi, glm::dvec3(1e6 + 2, 1, 3));
 }
 
+TEST(WorldBounds, TrianglesWithoutAreaDoNotCount) {
+  Scene scene = two_placed_triangles();
+  Mesh& mesh = scene.meshes[0];
+  const auto last = static_cast<std::uint32_t>(mesh.positions.size());
+  mesh.positions.insert(mesh.positions.end(), {{1e3f, 0, 0}, {2e3f, 0, 0}, {3e3f, 0, 0}});
+  mesh.triangles.push_back({last, last, last});
+  mesh.triangles.push_back({last, last + 1, last + 2});
+  EXPECT_EQ(world_bounds(scene).hi, glm::dvec3(1e6 + 2, 1, 3));
+}
+
 // Radiance of a white diffuse surface with normal n, lit by all lights of the scene and the gradient.
 glm::vec3 white_surface(const Scene& scene, const glm::dvec3& n, std::size_t first_light) {
   glm::vec3 sum = glm::mix(scene.environment.ground, scene.environment.sky, float(0.5 + n.y / 3.0));

@@ -29,6 +29,11 @@ TEST(GltfNodes, read_matrices_column_by_column) {
   add_triangle(file);
   file.json["nodes"][0]["matrix"] = {1, 2, 3, 0, 4, 5, 6, 0, 7, 8, 10, 0, 11, 12, 13, 1};
   expect_near(placed(file.load().instances[0], {1, 0, 0}), {12, 14, 16});
+  for (int i : {3, 7, 11, 15}) file.json["nodes"][0]["matrix"][i] = i == 15 ? 2.0 : 0.0;
+  expect_near(placed(file.load().instances[0], {1, 0, 0}), {6, 7, 8});  // a point is its homogeneous one divided by w
+  file.json["nodes"][0]["matrix"][15] = 0;
+  expect_refused(file, "node 0: its matrix is not affine");
+  file.json["nodes"][0]["matrix"][15] = 1;
   file.json["nodes"][0]["matrix"][3] = 0.5;
   expect_refused(file, "node 0: its matrix is not affine");
   file.json["nodes"][0]["matrix"] = {1, 2};
@@ -54,6 +59,23 @@ TEST(GltfNodes, number_objects_depth_first_in_the_default_scene_only) {
   file.json["scene"] = 1;
   EXPECT_EQ(names(), "abced");
   EXPECT_EQ(file.load().meshes.size(), 1u) << "the mesh is shared";
+}
+
+TEST(GltfNodes, that_are_hidden_hide_what_is_below) {
+  GltfFile file;
+  add_triangle(file);
+  const auto visibility = [](const nlohmann::json& value) {
+    return nlohmann::json{{"KHR_node_visibility", {{"visible", value}}}};
+  };
+  file.json["nodes"] = {{{"mesh", 0}, {"name", "a"}, {"children", {1}}, {"extensions", visibility(false)}},
+                        {{"mesh", 0}, {"name", "b"}, {"extensions", visibility(true)}},
+                        {{"mesh", 0}, {"name", "c"}, {"extensions", visibility(true)}},
+                        {{"mesh", 0}, {"name", "d"}, {"extensions", visibility("no boolean")}}};
+  file.json["extensionsUsed"] = {"KHR_node_visibility"};
+  const Scene scene = file.load();
+  ASSERT_EQ(scene.instances.size(), 2u);
+  EXPECT_EQ(scene.instances[0].name + scene.instances[1].name, "cd");
+  EXPECT_TRUE(scene.warnings.empty());
 }
 
 TEST(GltfNodes, refuse_cycles_and_second_parents) {
@@ -165,7 +187,12 @@ TEST(GltfLights, read_all_kinds_in_node_order) {
   EXPECT_EQ(scene.lights[2].kind, LightKind::directional);
   EXPECT_EQ(scene.lights[2].intensity, glm::vec3(4, 2, 0));
   expect_near(scene.lights[2].direction, {0, -1, 0});
-  file.json["extensions"]["KHR_lights_punctual"]["lights"][2]["spot"]["outerConeAngle"] = 0.1;
+  auto& spot = file.json["extensions"]["KHR_lights_punctual"]["lights"][2]["spot"];
+  spot = {{"innerConeAngle", 0.5}, {"outerConeAngle", 0.5}};
+  EXPECT_EQ(file.load().lights[1].inner_cone_angle, 0.5) << "a sharp edge";
+  spot = {{"innerConeAngle", 1.5707964}, {"outerConeAngle", 1.5707964}};
+  EXPECT_TRUE(file.load().warnings.empty()) << "pi / 2 as float";
+  spot["outerConeAngle"] = 0.1;
   expect_refused(file, "light 2: cone angles");
 }
 

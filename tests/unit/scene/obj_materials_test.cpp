@@ -46,6 +46,22 @@ TEST(ObjMaterials, IlluminationModels) {
   }
 }
 
+TEST(ObjMaterials, GlassModelsWithoutGlassAreOpaque) {
+  for (const char* model : {"4", "9"}) {
+    const std::string lines = std::string("Kd 0.5 0.5 0.5\nKs 0.5 0.5 0.5\nTf 1 1 1\nillum ") + model;
+    for (const char* ior : {"", "\nNi 1.00", "\nNi 1.00\nd 1"}) {
+      const Material opaque = material_of(lines + ior);
+      EXPECT_EQ(opaque.transmission, glm::vec3(0.0f)) << model << ior;
+      EXPECT_EQ(opaque.reflection, glm::vec3(0.0f));
+      EXPECT_EQ(opaque.specular, glm::vec3(0.5f));
+      EXPECT_EQ(opaque.alpha_mode, AlphaMode::opaque);
+    }
+    EXPECT_EQ(material_of(lines + "\nNi 1.5").transmission, glm::vec3(1.0f));
+    EXPECT_EQ(material_of(lines + "\nd 0.1").transmission, glm::vec3(1.0f));
+  }
+  EXPECT_EQ(material_of("illum 7\nNi 1.00").transmission, glm::vec3(1.0f)) << "refraction on";
+}
+
 TEST(ObjMaterials, AbsentIlluminationFollowsTheHighlight) {
   EXPECT_EQ(material_of("Ks 1 1 1\nNs 5").specular, glm::vec3(1.0f));
   EXPECT_EQ(material_of("Ks 1 1 1").specular, glm::vec3(0.0f));
@@ -121,6 +137,34 @@ TEST(ObjMaterials, MissingLibraryMaterialAndTextureAreWarnings) {
   EXPECT_NE(scene.warnings[0].find("gone.mtl"), std::string::npos);
   EXPECT_NE(scene.warnings[1].find("gone.png"), std::string::npos);
   EXPECT_NE(scene.warnings[2].find("'b'"), std::string::npos);
+}
+
+TEST(ObjMaterials, NamesInAnotherCaseInQuotesOrBeforeCommentsAreFound) {
+  const TemporaryFolder folder;
+  folder.write("Library.MTL",
+               "newmtl red # paint\nKd 1 0 0\nnewmtl Material #25\nKd 0 1 0\nmap_Kd \"Picture.PPM\" # new\n"
+               "newmtl Material #26\nKd 0 0 1\nmap_Kd PICTURE.ppm\n");
+  folder.write("picture.ppm", ppm(1, 1, "abc"));
+  const std::string path =
+      folder.write("m.obj",
+                   "mtllib library.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nusemtl red\nf 1/1 2/1 3/1\n"
+                   "usemtl Material #26\nf 1/1 2/1 3/1\nusemtl Material #25 # green\nf 1/1 2/1 3/1\n");
+  const Scene scene = load_scene(path, {});
+  EXPECT_TRUE(scene.warnings.empty());
+  const auto& materials = scene.meshes[0].triangle_materials;
+  ASSERT_EQ(materials.size(), 3u);
+  EXPECT_EQ(scene.materials[materials[0]].base_color, glm::vec4(1, 0, 0, 1));
+  EXPECT_EQ(scene.materials[materials[1]].base_color, glm::vec4(0, 0, 1, 1)) << "the whole name first";
+  EXPECT_EQ(scene.materials[materials[1]].textures[TEXTURE_SLOT_BASE_COLOR].texture, 1);
+  EXPECT_EQ(scene.materials[1].textures[TEXTURE_SLOT_BASE_COLOR].texture, 0);
+}
+
+TEST(ObjMaterials, AnImageOfSeveralMaterialsIsDecodedOnce) {
+  const TemporaryFolder folder;
+  folder.write("sound.ppm", ppm(1, 1, "abc"));
+  folder.write("a.mtl", "newmtl a\nnorm sound.ppm\nnewmtl b\nnorm sound.ppm\nmap_bump sound.ppm\n");
+  const Scene scene = load_scene(folder.write("m.obj", "mtllib a.mtl\nusemtl a\n" + kFace), {});
+  EXPECT_EQ(scene.textures.size(), 1u);
 }
 
 TEST(ObjMaterials, HeightsStandInForBrokenNormals) {

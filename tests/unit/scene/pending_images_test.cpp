@@ -90,10 +90,39 @@ TEST(PendingImages, that_are_broken_are_told_of_and_materials_go_without) {
 TEST(PendingImages, a_thousand_broken_ones_are_a_hundred_warnings) {
   PendingImages images;
   Scene scene;
-  for (int i = 0; i < 1000; ++i) images.add(broken_job("torn"));
+  // Each for two uses.
+  for (int i = 0; i < 2000; ++i) images.add(broken_job("torn " + std::to_string(i / 2)));
   images.finish(scene);
   EXPECT_EQ(scene.warnings.size(), 101u);
   EXPECT_NE(scene.warnings.back(), scene.warnings.front());
+}
+
+TEST(PendingImages, the_first_failure_is_told_as_soon_as_it_is_known) {
+  PendingImages images;
+  std::latch first_may_end(1);
+  ImageJob needed = broken_job("first");
+  needed.needed = true;
+  needed.decode = [&]() -> TexelsPointer {
+    first_may_end.wait();
+    throw Error(ErrorKind::refused, "first");
+  };
+  images.add(needed);
+  images.check_so_far();
+  ImageJob failing;
+  failing.decode = [&]() -> TexelsPointer {
+    first_may_end.count_down();
+    throw Error(ErrorKind::failed, "second");
+  };
+  images.add(failing);
+  std::string told;
+  while (told.empty()) {
+    try {
+      images.check_so_far();
+    } catch (const Error& error) {
+      told = error.what();
+    }
+  }
+  EXPECT_EQ(told, "image 3: first, alas");
 }
 
 TEST(PendingImages, that_are_needed_are_refused_where_broken) {

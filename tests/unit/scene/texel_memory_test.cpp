@@ -20,7 +20,7 @@ std::string fault_of(std::uint64_t bytes, std::uint64_t there) {
 TEST(TexelMemory, is_refused_where_it_is_not_there) {
   EXPECT_EQ(fault_of(1'000'000'000, 1'000'000'000), "");
   EXPECT_EQ(fault_of(1'000'000'001, 1'000'000'000),
-            "a.png: its texels need 1.1 GB of the host's memory, 1.0 GB are there; make the textures smaller");
+            "a.png: it needs 1.1 GB of the host's memory, 1.0 GB are there; make the textures smaller");
 }
 
 }  // namespace

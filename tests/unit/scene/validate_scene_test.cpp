@@ -109,6 +109,9 @@ TEST(ValidateScene, NothingLeftIsRefused) {
   Scene dropped = one_triangle();
   dropped.meshes[0].positions[1].x = kNan;
   EXPECT_EQ(refusal(dropped), nothing);
+  Scene flat = one_triangle();
+  flat.meshes[0].positions[2] = flat.meshes[0].positions[1];
+  EXPECT_EQ(refusal(flat), nothing);
   Scene unused = one_triangle();
   unused.instances.clear();
   EXPECT_EQ(refusal(unused), nothing);
