@@ -61,7 +61,9 @@ GpuScene::GpuScene(const Device& device, const PackedScene& packed, SceneLoads l
   lights_ = uploaded(device, packed.lights, wide);
   textures_ = uploaded(device, packed.textures, wide);
   texels_ = uploaded(device, packed.texels, wide);
-  if (texels) srgb_curve_ = uploaded(device, std::span(packed.texels).first(SRGB_CURVE_WORDS), narrow);
+  const std::size_t curve_words =
+      std::min<std::size_t>(packed.texels.size(), SRGB_CURVE_WORDS);  // none: nothing is shaded
+  if (texels) srgb_curve_ = uploaded(device, std::span(packed.texels).first(curve_words), narrow);
   first_triangles_ = uploaded(device, packed.first_triangles, narrow);
   instances_ = uploaded(device, packed.instances, wide);
 }

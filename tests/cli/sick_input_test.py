@@ -34,11 +34,16 @@ SHEAR = [1, 0, 0, 0, 100, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1]
 
 
 def instanced(places, corners, **moved):
-    """A mesh at many places, both of accessors without data: text of a few hundred bytes for any number of them."""
+    """A mesh at many places, both of accessors without data but for a first triangle: text of some hundred bytes for any number of them."""
     node = {"mesh": 0, **moved, "extensions": {"EXT_mesh_gpu_instancing": {"attributes": {"TRANSLATION": 1}}}}
     accessors = [{"componentType": 5126, "count": count, "type": "VEC3"} for count in (corners, places)]
+    triangle = struct.pack("<4B6f", 1, 2, 0, 0, 1, 0, 0, 0, 1, 0)  # corners 1 and 2
+    accessors[0]["sparse"] = {"count": 2, "indices": {"bufferView": 0, "componentType": 5121}, "values": {"bufferView": 1}}
+    buffer = {"byteLength": len(triangle), "uri": "data:application/octet-stream;base64," + base64.b64encode(triangle).decode()}
+    views = [{"buffer": 0, "byteLength": 2}, {"buffer": 0, "byteOffset": 4, "byteLength": 24}]
     return json.dumps({"asset": {"version": "2.0"}, "extensionsUsed": ["EXT_mesh_gpu_instancing"], "scene": 0,
                        "scenes": [{"nodes": [0]}], "nodes": [node], "accessors": accessors,
+                       "buffers": [buffer], "bufferViews": views,
                        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}]})
 
 

@@ -155,8 +155,8 @@ TEST(ObjMaterials, NamesInAnotherCaseInQuotesOrBeforeCommentsAreFound) {
   ASSERT_EQ(materials.size(), 3u);
   EXPECT_EQ(scene.materials[materials[0]].base_color, glm::vec4(1, 0, 0, 1));
   EXPECT_EQ(scene.materials[materials[1]].base_color, glm::vec4(0, 0, 1, 1)) << "the whole name first";
-  EXPECT_EQ(scene.materials[materials[1]].textures[TEXTURE_SLOT_BASE_COLOR].texture, 1);
-  EXPECT_EQ(scene.materials[1].textures[TEXTURE_SLOT_BASE_COLOR].texture, 0);
+  EXPECT_EQ(scene.materials[materials[1]].textures[TEXTURE_SLOT_BASE_COLOR].texture, 0);
+  EXPECT_EQ(scene.materials[materials[2]].textures[TEXTURE_SLOT_BASE_COLOR].texture, 0) << "the same file";
 }
 
 TEST(ObjMaterials, AnImageOfSeveralMaterialsIsDecodedOnce) {
