@@ -2,16 +2,14 @@
 #ifndef VERNIER_SHARED_BINDINGS_H
 #define VERNIER_SHARED_BINDINGS_H
 
-#define BINDING_RENDER 0     // RenderConstants, uniform
-#define BINDING_RECORDS 1    // BVH records, uvec4, 3 per record (bvh_record.h)
-#define BINDING_INSTANCES 2  // uvec4, INSTANCE_TEXELS per instance of a shared mesh (instance_layout.h)
-#define BINDING_VERTICES 3   // uvec4, SteeringConstants::vertex_texels per vertex
-#define BINDING_MATERIALS 4  // uvec4, MATERIAL_TEXELS per material
-#define BINDING_LIGHTS 5     // uvec4, LIGHT_TEXELS per light
-#define BINDING_TEXTURES 6   // uvec4 per texture: width, height, first word, format | wrap and filter bits
-#define BINDING_TEXELS \
-  7                                 // uint: 256 words of the sRGB curve as float bits, then the texels of all textures,
-                                    // each texture's from a multiple of 4 on; read as uvec4 with LOADS_TEXELS
+#define BINDING_RENDER 0            // RenderConstants, uniform
+#define BINDING_RECORDS 1           // BVH records, uvec4, 3 per record (bvh_record.h)
+#define BINDING_INSTANCES 2         // uvec4, INSTANCE_TEXELS per instance of a shared mesh (instance_layout.h)
+#define BINDING_VERTICES 3          // uvec4, SteeringConstants::vertex_texels per vertex
+#define BINDING_MATERIALS 4         // uvec4, MATERIAL_TEXELS per material
+#define BINDING_LIGHTS 5            // uvec4, LIGHT_TEXELS per light
+#define BINDING_TEXTURES 6          // uvec4 per texture: width, height, first word, format | wrap and filter bits
+#define BINDING_TEXELS 7            // uint: 256 of the sRGB curve, then texels, each texture's from a multiple of 4 on
 #define BINDING_FILM 8              // uint, FILM_WORDS per pixel of a band
 #define BINDING_COUNTERS 9          // uint, COUNTER_COUNT
 #define BINDING_PATHS 10            // uvec4, PATH_BLOCKS(stack) per invocation
@@ -23,7 +21,7 @@
 #define BINDING_DISPLAY 16          // uint per pixel of a window's picture: R8G8B8A8
 #define BINDING_FILM_TEXELS 17      // the memory of BINDING_FILM, read as uvec4 texels (buffers.glsl, LOADS_TEXELS)
 #define BINDING_SAMPLE_TEXELS 18    // the memory of BINDING_SAMPLES, likewise
-#define BINDING_SRGB_CURVE 20       // uint: the curve alone (LOADS_TEXELS)
-#define BINDING_BOX_TREE 19  // the driver's tree over the boxes of the records, which are triangles alone (RAY_QUERIES)
+#define BINDING_BOX_TREE 19         // the driver's tree over the boxes of the triangles' records (RAY_QUERIES)
+#define BINDING_SRGB_CURVE 20       // uint: the curve alone (LOADS_TEXELS, where BINDING_TEXELS is read as uvec4)
 
 #endif

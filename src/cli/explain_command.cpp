@@ -117,6 +117,8 @@ void add_explain_command(CLI::App& app, Command& chosen) {
   add_path_options(command, arguments->render);
   add_accuracy_option(command, arguments->render.accuracy);
   add_effects_option(command, arguments->render.effects);
+  add_filter_options(command, arguments->render);
+  add_bvh_option(command, arguments->render.bvh);
   add_dispatch_options(command, arguments->render);
   add_scene_options(command, arguments->scene);
   command

@@ -37,6 +37,14 @@ class ExplainTest(ProgramTest):
         scene = self.write("triangle.obj", TRIANGLE_OBJ)
         self.check_error(USAGE, "--json: it names the same file as SCENE", "explain", scene, "--no-costs", "--json", scene)
 
+    def test_options_of_render(self):
+        self.write("triangle.obj", TRIANGLE_OBJ)
+        frames = []
+        for options in ([], ["--bvh", "fast", "--texture-filter", "nearest"], ["--filter", "tent"]):
+            self.check_done("explain", "triangle.obj", *SMALL, "--quiet", "--json", "effects.json", *options)
+            frames.append(json.loads((self.folder / "effects.json").read_text())["frame"]["rays"])
+        self.assertEqual(len(set(frames)), 1, "one sample lies in the middle of its pixel")
+
     def test_costs_are_those_of_what_is_on(self):
         self.write("triangle.obj", TRIANGLE_OBJ)
         result = self.check_done("explain", "triangle.obj", *SMALL, "--quiet", "--json", "effects.json")
