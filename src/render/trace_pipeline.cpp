@@ -62,8 +62,12 @@ TraceSpecialization specialize(std::uint32_t effects, const SceneShape& scene, s
                                bool count_cost, const DeviceDescription& device, TraversalForm form) {
   TraceSpecialization values;
   values.effects = effects;
-  values.traversal_stack = std::max(scene.depth, 1u);
   values.shift_stack = shifts_stack(device, form) && scene.depth <= SHIFT_STACK_MAX_SIZE;
+  // An array has room to spare for nothing, and trees of other depths find the same kernel: SwiftShader compiles for
+  // seconds.
+  constexpr std::uint32_t kArrayStep = 16;
+  const std::uint32_t depth = std::max(scene.depth, 1u);
+  values.traversal_stack = values.shift_stack ? depth : (depth + kArrayStep - 1) / kArrayStep * kArrayStep;
   values.instanced = scene.instanced;
   values.coarse = scene.coarse;
   values.test_last = device.is_llvmpipe;

@@ -15,7 +15,7 @@ namespace vernier {
 /// What the kernels are specialized to.
 struct TraceSpecialization {
   std::uint32_t effects = 0;          ///< OR of EFFECT_*
-  std::uint32_t traversal_stack = 1;  ///< entries
+  std::uint32_t traversal_stack = 1;  ///< entries, the depth of the BVH or more
   bool shift_stack = false;           ///< traversal stack in shifted registers
   std::uint32_t path_stack = 0;       ///< rays that can wait
   bool count_cost = false;

@@ -27,9 +27,12 @@ TEST(Specialize, the_path_stack_holds_what_can_wait) {
   EXPECT_EQ(stack(kBoth, 0xffffffffu), 64u);
 }
 
-TEST(Specialize, the_traversal_stack_is_the_depth) {
-  EXPECT_EQ(specialize(0, {17}, 8, false, {}).traversal_stack, 17u);
-  EXPECT_EQ(specialize(0, {0}, 8, false, {}).traversal_stack, 1u);
+TEST(Specialize, a_shifted_traversal_stack_has_the_depth_and_an_array_the_next_multiple_of_16) {
+  EXPECT_EQ(specialize(0, {17}, 8, false, llvmpipe()).traversal_stack, 17u);
+  EXPECT_EQ(specialize(0, {0}, 8, false, llvmpipe()).traversal_stack, 1u);
+  EXPECT_EQ(specialize(0, {0}, 8, false, {}).traversal_stack, 16u);
+  EXPECT_EQ(specialize(0, {16}, 8, false, {}).traversal_stack, 16u);
+  EXPECT_EQ(specialize(0, {17}, 8, false, {}).traversal_stack, 32u);
 }
 
 TEST(Specialize, llvmpipe_shifts_shallow_stacks) {
