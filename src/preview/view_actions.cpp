@@ -144,7 +144,7 @@ void ViewWindow::apply() {
     state_.message = error.what();
     state_.settings = session_->settings();
   } catch (const std::bad_alloc&) {  // by what is loaded beside
-    state_.message = "out of memory";
+    state_.message = "not enough memory on the host";
   }
 }
 

@@ -20,8 +20,7 @@ std::uint64_t texel_words(const Scene& scene);
 /// Textures and their texels.
 struct PackedTextures {
   std::vector<std::uint32_t> textures;  ///< [texture][4]: width, height, first word of texels, format, wraps and filter
-  std::vector<std::uint32_t>
-      texels;  ///< 256 words of the sRGB curve, then all texels (shared/bindings.h), shared ones once
+  std::vector<std::uint32_t> texels;    ///< as BINDING_TEXELS has them, shared ones once
 };
 
 /// Packs all textures. Throws Error(refused) when the texels need 2^32 words or more.

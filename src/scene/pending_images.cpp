@@ -1,9 +1,11 @@
 #include "scene/pending_images.h"
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstdint>
 #include <deque>
 #include <exception>
+#include <functional>
 #include <mutex>
 #include <thread>
 #include <unordered_map>
@@ -22,6 +24,7 @@ struct PendingImage {
   std::shared_ptr<const Texels> placeholder;
   std::shared_ptr<const Texels> texels = nullptr;
   std::string fault = "";
+  bool has_ended = false;
 };
 
 namespace {
@@ -99,13 +102,6 @@ struct PendingImages::Work {
     has_changed.notify_all();
   }
 
-  /// Waits for the threads; throws what failed.
-  void wait() {
-    complete();
-    threads.clear();
-    if (failure) std::rethrow_exception(failure);
-  }
-
   /// Decodes images until there are none and none will be added.
   void take_part() {
     std::unique_lock lock(mutex);
@@ -122,6 +118,7 @@ struct PendingImages::Work {
         thrown = std::current_exception();
       }
       lock.lock();
+      image.has_ended = true;
       if (!thrown) continue;
       // Images before this one have been begun, so that it does not hang on the threads which fails first in order.
       if (!failure || number < failed) {
@@ -160,17 +157,19 @@ bool PendingImages::empty() const {
 }
 
 void PendingImages::check_so_far() {
-  {
-    const std::scoped_lock lock(work_->mutex);
-    if (!work_->failure) return;
-  }
-  work_->wait();
+  const std::scoped_lock lock(work_->mutex);
+  if (!work_->failure) return;
+  // Not waited for: they may wait for memory that the caller has.
+  const auto first = work_->images.begin();
+  const auto failed = first + static_cast<std::ptrdiff_t>(work_->failed);
+  if (std::all_of(first, failed, std::mem_fn(&PendingImage::has_ended))) std::rethrow_exception(work_->failure);
 }
 
 void PendingImages::finish(Scene& scene) {
   work_->complete();
   work_->take_part();
-  work_->wait();
+  work_->threads.clear();  // waits for each
+  if (work_->failure) std::rethrow_exception(work_->failure);
   std::unordered_map<const Texels*, const PendingImage*> image_of;
   std::vector<std::string> faults;
   for (const PendingImage& image : work_->images) {

@@ -35,7 +35,7 @@ class PendingImages {
   /// Whether there are images that `finish` has to wait for.
   bool empty() const;
 
-  /// Throws what `finish` is going to, as soon as that is known: for who goes on meanwhile. By one thread at a time.
+  /// Throws what `finish` is going to, as soon as that is known, and never waits: for who goes on meanwhile.
   void check_so_far();
 
   /// Waits for all images and gives them to the textures of `scene`. Names their files, in the order of `add`, and
