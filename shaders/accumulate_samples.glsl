@@ -6,12 +6,11 @@
 #include "job.glsl"
 #include "path.glsl"
 
-// Whether the dispatches before have traced every job of the pass.
-bool pass_is_traced() { return load_counter(COUNTER_UNFINISHED) == 0u && load_counter(COUNTER_NEXT_JOB) >= job_count(); }
+// Whether the dispatch before, which might take every job of the pass that was left, has left none.
+bool pass_is_traced() { return load_counter(COUNTER_UNFINISHED) == 0u && load_counter(COUNTER_NEXT_JOB) >= dispatch_constants().job_end; }
 
 // Adds the traced samples of the pass at pixel (x, y) of the tile, which begin with job number `first_job`, to the film, once
-// all are there. This follows every dispatch of the trace kernel in the same submission: asking here spares the host a round
-// trip.
+// all are there. This follows a dispatch of the trace kernel in the same submission: asking here spares the host a round trip.
 void accumulate_samples(IN(uint) x, IN(uint) y, IN(uint) first_job) {
   if (!pass_is_traced()) return;
   DispatchConstants constants = dispatch_constants();

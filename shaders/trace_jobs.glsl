@@ -20,7 +20,7 @@ void begin_path(INOUT(Path) path, IN(uint) job) {
   // One sample stays in the middle, which a tent leaves where it is.
   offset = filtered_offset(offset, steering.pixel_filter);
   Ray ray = camera_ray(vec2(float(x), float(y)) + offset);
-  path.job = job < job_count() && is_in_tile(place) ? job : NONE;
+  path.job = job < dispatch_constants().job_end && is_in_tile(place) ? job : NONE;
   path.hit = false;
   path.radiance = vec3(0.0f);
   path.waiting = 0u;
@@ -84,7 +84,7 @@ void trace_jobs(IN(uint) invocation) {
   for (uint rounds = 0u; going && searches < (path.job == NONE ? budget : limit) && rounds < LOOP_ROUND_LIMIT; rounds++) {
     if (path.job == NONE) {
       uint job = take_job();
-      going = job < job_count();
+      going = job < dispatch_constants().job_end;
       begin_path(path, job);
       counts.primary += path.job != NONE ? 1u : 0u;
     }

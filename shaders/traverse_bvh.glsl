@@ -66,7 +66,8 @@ struct Tree {
 // cycles longer for it.
 uint first_texel(IN(uint) record) { return (record << steering_constants().one) + record; }
 
-// Follows `ray`, which is `above` in the scene's tree, to the end of the search or to an instance.
+// Follows `ray`, which is `above` in the scene's tree, to the end of the search, to an instance or to where the stack has to
+// be moved.
 void search_trees(IN(Search) search, IN(TreeRay) above, INOUT(TreeRay) ray, INOUT(Tree) tree, INOUT(Cursor) cursor, INOUT(Found) found) {
   // The end is tested for what is known before the triangle test, since the next round would wait for that: a search that stops
   // at a triangle has another round, in which it tests none.
@@ -96,7 +97,7 @@ void search_trees(IN(Search) search, IN(TreeRay) above, INOUT(TreeRay) ray, INOU
       found.triangles += searching && is_triangle ? 1u : 0u;
     }
     // Records are fewer than the limit, which compilers cannot know.
-    goes_on = cursor.running && record < LOOP_ROUND_LIMIT;
+    goes_on = cursor.running && record < LOOP_ROUND_LIMIT && !top_is_full();
     cursor.running = cursor.running && !(search.stop_at_opaque && accepted && opaque);
     if (INSTANCED) {
       found.hit.instance = accepted ? tree.instance : found.hit.instance;
@@ -124,6 +125,24 @@ bool enter_instance(IN(Ray) ray, INOUT(TreeRay) mapped, INOUT(Tree) tree, IN(Cur
   return enters;
 }
 
+bool is_opaque_hit(IN(Hit) hit) { return hit.triangle != NONE && (hit.record & BVH_TRIANGLE_NOT_OPAQUE) == 0u; }
+
+// Moves an entry of the stack down where the top is full, up where nothing else is left; false where neither is.
+bool move_stack(INOUT(Cursor) cursor, IN(bool) stopped) {
+  bool moved = cursor.running && top_is_full();
+  if (moved) lower_group();
+  if (!cursor.running && !stopped) {
+    uint group = take_lower_group();
+    if (group != 0u) {
+      cursor.record = group_next(group);
+      cursor.group = without_next(group);
+      cursor.running = true;
+      moved = true;
+    }
+  }
+  return moved;
+}
+
 // The answer to `search`; no hit for a ray that is not valid.
 Found traverse_bvh(IN(Search) search) {
   TreeRay above = tree_ray(search.ray);
@@ -134,15 +153,16 @@ Found traverse_bvh(IN(Search) search) {
   clear_stack();
   if (scene_has_triangles() && is_valid_ray(search.ray)) {
     cursor.running = true;
-    if (INSTANCED) {
-      uint entered = 0u;
+    if (INSTANCED || has_lower_groups()) {
+      uint stops = 0u;
       bool done = false;
       for (;;) {
         if (!TEST_LAST && done) break;
         search_trees(search, above, ray, tree, cursor, found);
-        bool again = enter_instance(search.ray, ray, tree, cursor);
-        entered++;
-        done = !again || entered >= LOOP_ROUND_LIMIT;
+        bool moved = has_lower_groups() && move_stack(cursor, search.stop_at_opaque && is_opaque_hit(found.hit));
+        bool entered = INSTANCED && enter_instance(search.ray, ray, tree, cursor);
+        stops++;
+        done = !(moved || entered) || stops >= LOOP_ROUND_LIMIT;
         if (TEST_LAST && done) break;
       }
     } else {
@@ -150,7 +170,7 @@ Found traverse_bvh(IN(Search) search) {
     }
   }
   found.finished = !cursor.running;
-  found.is_opaque = found.hit.triangle != NONE && (found.hit.record & BVH_TRIANGLE_NOT_OPAQUE) == 0u;
+  found.is_opaque = is_opaque_hit(found.hit);
   if (found.hit.triangle != NONE) found.hit.record &= ~BVH_TRIANGLE_NOT_OPAQUE;
   return found;
 }

@@ -66,6 +66,7 @@ struct DispatchConstants {
   uint band_width;
   uint sample_begin;  // samples of this pass
   uint sample_end;
+  uint job_end;        // jobs from here on are left to later dispatches
   uint search_budget;  // searches after which an invocation takes no further job
   uint search_limit;   // and after which it saves its path; not below the budget
   uint resume;         // 1: go on with the saved paths
@@ -75,7 +76,7 @@ struct DispatchConstants {
 
 #ifdef __cplusplus
 static_assert(sizeof(RenderConstants) == 4 * (6 * 4 + 6 + 27));
-static_assert(sizeof(DispatchConstants) == 4 * (13 + 14));
+static_assert(sizeof(DispatchConstants) == 4 * (14 + 14));
 }  // namespace vernier
 #endif
 

@@ -18,6 +18,6 @@
 #define SPECIALIZATION_TEST_LAST 13       // loops test for their end behind their body (loop_limit.glsl)
 
 // Entries that the shifted stack has at most (traversal_stack.glsl).
-#define SHIFT_STACK_MAX_SIZE 24u
+#define SHIFT_STACK_MAX_SIZE 31u
 
 #endif

@@ -37,7 +37,7 @@ std::string frame_lines(const Explanation& explanation) {
   const EffectLedger& ledger = explanation.ledger;
   const RenderSettings& settings = explanation.settings;
   std::string lines = row("frame: %.3f ms of device time, %llu rays, %dx%d, %u samples per pixel, on %s\n",
-                          ledger.frame_ms, static_cast<unsigned long long>(ray_count(ledger.rays)), settings.width,
+                          ledger.frame_ms, static_cast<unsigned long long>(total(ledger.rays)), settings.width,
                           settings.height, settings.spp, explanation.device.c_str());
   for (const BounceCost& bounce : ledger.bounces) {
     lines +=
@@ -80,7 +80,7 @@ void add_frame(nlohmann::ordered_json& json, const Explanation& explanation) {
                    {"spp", explanation.settings.spp},
                    {"accuracy", to_string(explanation.settings.accuracy)},
                    {"device_ms", ledger.frame_ms},
-                   {"rays", ray_count(ledger.rays)}};
+                   {"rays", total(ledger.rays)}};
   json["saved_memory"] = saved_json(ledger.saved);
   json["all_effects"] = {{"time_to_frame", ledger.all.median}, {"least", ledger.all.least}, {"most", ledger.all.most}};
   json["bounces"] = nlohmann::ordered_json::array();

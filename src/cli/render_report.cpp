@@ -138,14 +138,10 @@ std::string saved_line(const SavedMemory& saved) {
   return text;
 }
 
-std::uint64_t ray_count(const RayCounts& rays) {
-  return rays.primary + rays.shadow + rays.reflection + rays.refraction;
-}
-
 double rays_per_s(const RenderStatistics& statistics) {
   constexpr double kMillisecond_s = 1e-3;
   const double seconds = statistics.trace_wall_ms * kMillisecond_s;
-  return seconds > 0.0 ? static_cast<double>(ray_count(statistics.rays)) / seconds : 0.0;
+  return seconds > 0.0 ? static_cast<double>(total(statistics.rays)) / seconds : 0.0;
 }
 
 nlohmann::ordered_json render_json(const RenderReport& report) {
@@ -163,7 +159,7 @@ std::string summary_line(const RenderReport& report, const std::string& file) {
   const PixelRect rect = report.settings.crop.value_or(PixelRect{0, 0, report.settings.width, report.settings.height});
   char text[160];
   std::snprintf(text, sizeof text, ": %dx%d, %u samples, %.3f Mrays in %.2f s, ", rect.width, rect.height,
-                statistics.samples_done, static_cast<double>(ray_count(statistics.rays)) * 1e-6,
+                statistics.samples_done, static_cast<double>(total(statistics.rays)) * 1e-6,
                 statistics.trace_wall_ms * 1e-3);
   const std::string reached = statistics.error ? ", " + error_text(*statistics.error) : "";
   return file + text + rate_text(rays_per_s(statistics)) + reached;

@@ -31,9 +31,6 @@ nlohmann::ordered_json depth_json(const DepthNeed& depth);
 /// What was not allocated, for people.
 std::string saved_line(const SavedMemory& saved);
 
-/// Rays of all kinds.
-std::uint64_t ray_count(const RayCounts& rays);
-
 /// Rays per second of wall time spent tracing; 0 where no time was measured.
 double rays_per_s(const RenderStatistics& statistics);
 

@@ -26,10 +26,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-std::uint64_t total(const RayCounts& rays) {
-  return rays.primary + rays.shadow + rays.reflection + rays.refraction;
-}
-
 /// `samples`, whole where only the rounding of a share keeps it from being so: a tile is more than a billionth of a
 /// picture.
 double without_rounding(double samples) {

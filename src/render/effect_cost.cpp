@@ -14,10 +14,6 @@ constexpr std::uint32_t kEveryEffect = (1u << EFFECT_COUNT) - 1;
 /// Between mirrors, rays go on for as long as they are let; what is deeper than that is weak, and costs the same again.
 constexpr std::uint32_t kDeepestTimed = 16;
 
-std::uint64_t total(const RayCounts& rays) {
-  return rays.primary + rays.shadow + rays.reflection + rays.refraction;
-}
-
 double median(std::vector<double> values) {
   return spread_of(std::move(values)).median;
 }

@@ -19,6 +19,11 @@ struct RayCounts {
   std::uint64_t refraction = 0;
 };
 
+/// Rays of all kinds.
+constexpr std::uint64_t total(const RayCounts& rays) {
+  return rays.primary + rays.shadow + rays.reflection + rays.refraction;
+}
+
 /// One sample of one pixel of the full image.
 struct SamplePlace {
   int x = 0;

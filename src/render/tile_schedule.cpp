@@ -41,6 +41,15 @@ std::uint32_t choose_first_pass(const PixelRect& area) {
   return static_cast<std::uint32_t>(std::clamp<std::int64_t>((std::int64_t{1} << 20) / pixels, 1, 4));
 }
 
+std::uint64_t choose_jobs(double searches, std::uint64_t past_jobs, std::uint64_t past_searches, std::uint64_t left) {
+  constexpr double kLittleMore = 1.25;
+  const double per_job =
+      static_cast<double>(past_searches) / static_cast<double>(std::max<std::uint64_t>(past_jobs, 1));
+  const double jobs = searches / std::max(per_job, 1.0);
+  if (kLittleMore * jobs >= static_cast<double>(left)) return left;
+  return std::max<std::uint64_t>(static_cast<std::uint64_t>(jobs), 1);
+}
+
 std::uint32_t choose_search_budget(double wanted_ms, double ms_per_search, std::uint32_t invocations) {
   const double budget = wanted_ms / (ms_per_search * std::max(invocations, 1u));
   return static_cast<std::uint32_t>(std::clamp(budget, 1.0, static_cast<double>(kLargestSearchBudget)));

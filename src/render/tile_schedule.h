@@ -32,6 +32,11 @@ std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end, 
 /// pass ends with lanes that wait for the last paths.
 std::uint32_t choose_first_pass(const PixelRect& area);
 
+/// How many of the `left` jobs the next dispatch may take, at least 1 where any is left, so that it makes about
+/// `searches` (above 0), by the `past_searches` that `past_jobs` took. Rather a little more than that than a little
+/// left over.
+std::uint64_t choose_jobs(double searches, std::uint64_t past_jobs, std::uint64_t past_searches, std::uint64_t left);
+
 /// How many searches each of `invocations` may make in the next dispatch before it takes no further job, so that the
 /// dispatch takes about `wanted_ms` at `ms_per_search` (both above 0): at least 1, at most 1024.
 std::uint32_t choose_search_budget(double wanted_ms, double ms_per_search, std::uint32_t invocations);

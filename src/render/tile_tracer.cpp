@@ -18,12 +18,14 @@ namespace {
 constexpr std::uint64_t kSampleBytes = 64u << 20;
 /// Invocations per dispatch, in workgroups of kWorkgroup. They take jobs until none is left, so a CPU needs no more
 /// than keep its threads busy: each costs the loading and saving of a path.
-constexpr std::uint32_t kCpuInvocationsPerThread = 256;
+constexpr std::uint32_t kCpuInvocationsPerThread = 128;
 constexpr std::uint32_t kGpuInvocations = 1u << 17;
 constexpr std::uint32_t kWorkgroup = 64;
 /// Taken for the time of a search until a dispatch of at least kTrustedSearches has been timed: a slow CPU.
 constexpr double kFirstMsPerSearch = 1e-3;
 constexpr std::uint32_t kTrustedSearches = 1024;
+/// Searches that an invocation may make, over its even share of a dispatch: a thread that is faster takes more jobs.
+constexpr double kBudgetShare = 2.0;
 
 /// Jobs of a tile per sample: incomplete blocks count as whole ones (shaders/job.glsl).
 std::uint64_t jobs_per_sample(glm::ivec2 tile) {
@@ -155,17 +157,28 @@ DispatchConstants TileTracer::pass_constants(const PixelRect& tile, const Sample
   return constants;
 }
 
-/// Dispatches until all `jobs` are done; `accumulate` adds them to the film with the last of them.
+/// Dispatches until all `jobs` are done; `accumulate`, which adds them to the film, follows where none is left for
+/// later.
 bool TileTracer::run_jobs(DispatchConstants constants, std::uint64_t jobs, const Dispatch& accumulate,
                           const std::function<bool()>& stop) {
   const auto invocations = static_cast<std::uint32_t>(std::min<std::uint64_t>(invocations_, jobs));
+  const Dispatch trace = {.pipeline = &trace_,
+                          .bindings = &trace_bindings_,
+                          .push_constants = {},
+                          .group_count_x = (invocations + kWorkgroup - 1) / kWorkgroup,
+                          .group_count_y = 1,
+                          .group_count_z = 1};
   std::uint32_t counts[COUNTER_COUNT] = {};
   do {
     if (stop()) return false;
-    constants.search_budget = choose_search_budget(wanted_ms_, ms_per_search_, invocations);
+    const RayCounts& rays = statistics_.rays;
+    const std::uint64_t left = jobs - counts[COUNTER_NEXT_JOB];
+    const std::uint64_t taken = choose_jobs(wanted_ms_ / ms_per_search_, rays.primary, total(rays), left);
+    constants.job_end = counts[COUNTER_NEXT_JOB] + static_cast<std::uint32_t>(taken);
+    constants.search_budget = choose_search_budget(kBudgetShare * wanted_ms_, ms_per_search_, invocations);
     constants.search_limit = search_limit(constants.search_budget);
     set_dispatch(dispatch_, constants);
-    trace(invocations, accumulate, constants, counts);
+    run(taken < left ? std::vector{trace} : std::vector{trace, accumulate}, constants, counts);
     constants.resume = 1;
   } while (counts[COUNTER_UNFINISHED] > 0 || counts[COUNTER_NEXT_JOB] < jobs);
   return true;
@@ -189,21 +202,17 @@ double TileTracer::warm_up() {
   return submitter_.run(std::array{trace, accumulate}).wall_ms;
 }
 
-/// Runs one dispatch and `accumulate`, which adds the pass to the film if that was the last, and books what it did.
-/// `counts`: of the dispatch before, replaced by its own.
-void TileTracer::trace(std::uint32_t invocations, const Dispatch& accumulate, const DispatchConstants& constants,
-                       std::uint32_t (&counts)[COUNTER_COUNT]) {
+/// Runs `dispatches`, of which the first traces, and books what it did. `counts`: of the dispatch before, replaced by
+/// its own.
+void TileTracer::run(std::span<const Dispatch> dispatches, const DispatchConstants& constants,
+                     std::uint32_t (&counts)[COUNTER_COUNT]) {
   std::fill(counts, counts + COUNTER_NEXT_JOB, 0u);
   std::ranges::fill(counters_.mapped(), std::byte{0});
   std::memcpy(counters_.mapped().data(), counts, sizeof(counts));
-  const Dispatch trace = {.pipeline = &trace_,
-                          .bindings = &trace_bindings_,
-                          .push_constants = {},
-                          .group_count_x = (invocations + kWorkgroup - 1) / kWorkgroup,
-                          .group_count_y = 1,
-                          .group_count_z = 1};
-  const SubmissionTime time = submitter_.run(std::array{trace, accumulate});
+  const SubmissionTime time = submitter_.run(dispatches);
   std::memcpy(counts, counters_.mapped().data(), sizeof(counts));
+  // Whoever asked in vain counted too.
+  counts[COUNTER_NEXT_JOB] = std::min(counts[COUNTER_NEXT_JOB], constants.job_end);
   add_effect_runs(counters_.mapped().subspan(sizeof(counts)), statistics_.effect_runs);
   statistics_.device_ms += time.device_ms;
   statistics_.rays.primary += counts[COUNTER_PRIMARY];

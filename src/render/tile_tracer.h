@@ -53,8 +53,8 @@ class TileTracer {
   void bind_accumulate(const Device& device, const TraceSpecialization& specialization);
   void note_saved(const RenderSettings& settings);
   double warm_up();
-  void trace(std::uint32_t invocations, const Dispatch& accumulate, const DispatchConstants& constants,
-             std::uint32_t (&counts)[COUNTER_COUNT]);
+  void run(std::span<const Dispatch> dispatches, const DispatchConstants& constants,
+           std::uint32_t (&counts)[COUNTER_COUNT]);
 
   const GpuScene& scene_;
   Submitter submitter_;

@@ -14,10 +14,6 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-std::uint64_t total(const RayCounts& rays) {
-  return rays.primary + rays.shadow + rays.reflection + rays.refraction;
-}
-
 /// `share` is done, `gained` of it in these `seconds`.
 RenderProgress progress_at(double share, double gained, const RayCounts& rays, double seconds) {
   return {.share = share,

@@ -17,7 +17,7 @@ VEC(render.ambient_harmonics[6]) VEC(render.ambient_harmonics[7]) VEC(render.amb
 
 WORD(dispatch.tile_x) WORD(dispatch.tile_y) WORD(dispatch.tile_width) WORD(dispatch.tile_height)
 WORD(dispatch.band_x) WORD(dispatch.band_y) WORD(dispatch.band_width)
-WORD(dispatch.sample_begin) WORD(dispatch.sample_end) WORD(dispatch.search_budget) WORD(dispatch.search_limit) WORD(dispatch.resume)
+WORD(dispatch.sample_begin) WORD(dispatch.sample_end) WORD(dispatch.job_end) WORD(dispatch.search_budget) WORD(dispatch.search_limit) WORD(dispatch.resume)
 WORD(dispatch.pixel_count)
 WORD(dispatch.steering.spp) WORD(dispatch.steering.orthographic) WORD(dispatch.steering.environment_texture)
 WORD(dispatch.steering.light_count) WORD(dispatch.steering.triangle_count) WORD(dispatch.steering.vertex_texels)

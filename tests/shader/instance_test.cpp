@@ -3,21 +3,13 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "shader/bumpy_sphere.h"
+#include "shader/instanced_kernel.h"
 #include "shader/random_values.h"
 #include "shader/shader.h"
 #include "shader/tiny_scene.h"
 
 namespace vernier::shader {
 namespace {
-
-/// Kernels for a scene with instances, while it lives.
-class InstancedKernel {
- public:
-  InstancedKernel() { INSTANCED = true; }
-  ~InstancedKernel() { INSTANCED = false; }
-  InstancedKernel(const InstancedKernel&) = delete;
-  InstancedKernel& operator=(const InstancedKernel&) = delete;
-};
 
 /// A bumpy sphere with normals, tangents and uvs.
 Mesh sphere_mesh(int levels, const vec3& center) {

@@ -49,6 +49,15 @@ TEST(TraceJobs, any_number_of_invocations_gives_the_same_bits) {
   }
 }
 
+TEST(TraceJobs, any_number_of_jobs_at_a_time_gives_the_same_bits) {
+  const RenderSettings settings = test::small_image(11, 9, 3);
+  const PackedScene packed = test::packed_for(test::tiny_scene(), test::camera_at(3.5), settings);
+  const std::vector<std::uint32_t> film = film_on_cpu(packed, settings);
+  for (std::uint32_t jobs : {1u, 7u, 100u}) {
+    for (std::uint32_t budget : {2u, 1u << 20}) EXPECT_EQ(film_on_cpu(packed, settings, budget, 3, jobs), film) << jobs;
+  }
+}
+
 TEST(TraceJobs, costs_are_counted_whatever_the_budget) {
   COUNT_COST = true;
   const RenderSettings settings = test::small_image(8, 8, 2);

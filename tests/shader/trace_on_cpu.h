@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 
 #include "shader/shader.h"
@@ -9,9 +10,10 @@ namespace vernier::shader {
 namespace {
 
 /// Film words of the whole image: the kernels' text run on the CPU by `invocations` in turn, with at most
-/// `search_budget` searches each at a time.
+/// `search_budget` searches each and `jobs` in all at a time.
 inline std::vector<std::uint32_t> film_on_cpu(const PackedScene& packed, const RenderSettings& settings,
-                                              std::uint32_t search_budget = 1u << 20, std::uint32_t invocations = 3) {
+                                              std::uint32_t search_budget = 1u << 20, std::uint32_t invocations = 3,
+                                              std::uint32_t jobs = 1u << 20) {
   Memory scene = memory_of(packed);
   const auto width = static_cast<std::uint32_t>(settings.width), height = static_cast<std::uint32_t>(settings.height);
   DispatchConstants& dispatch = scene.dispatch;
@@ -29,7 +31,9 @@ inline std::vector<std::uint32_t> film_on_cpu(const PackedScene& packed, const R
     const std::uint32_t next_job = scene.counters[COUNTER_NEXT_JOB];
     scene.counters.assign(COUNTER_COUNT, 0u);
     scene.counters[COUNTER_NEXT_JOB] = next_job;
+    dispatch.job_end = std::min(next_job + jobs, job_count());
     for (std::uint32_t i = 0; i < invocations; ++i) trace_jobs(i);
+    scene.counters[COUNTER_NEXT_JOB] = std::min(scene.counters[COUNTER_NEXT_JOB], dispatch.job_end);
     dispatch.resume = 1;
   } while (scene.counters[COUNTER_UNFINISHED] > 0 || scene.counters[COUNTER_NEXT_JOB] < job_count());
   for (std::uint32_t y = 0; y < height; ++y) {

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "shader/bound_bvh.h"
@@ -162,6 +163,36 @@ TEST(TraverseBvh, both_stacks_take_the_same_steps) {
     ++compared;
   }
   EXPECT_GE(compared, 5);
+}
+
+TEST(TraverseBvh, groups_that_do_not_fit_are_moved_and_come_back) {
+  // From the smallest triangle on, all larger ones wait.
+  Triangles triangles = test::geometric_series();
+  triangles.resize(64);
+  ASSERT_LE(build_bvh(triangles, {}, 1).depth, SHIFT_STACK_MAX_SIZE);
+  Memory scene = bvh_memory(triangles);
+  const BoundMemory bound(scene);
+  RandomValues random(31);
+  std::ptrdiff_t most_waiting = 0;
+  COUNT_COST = true;
+  for (int i = 0; i < kRays; ++i) {
+    const Ray ray(vec3(std::ldexp(1.0f, -66), 0, 0), vec3(1, random.in(0, 0.3), random.in(0, 0.3)));
+    const bool any = i % 2 == 0;
+    for (uint& group : traversal_groups) group = 0u;
+    SHIFT_STACK = false;
+    const Found in_array = traverse_bvh(Search(ray, 0.0f, NONE, LARGEST_FLOAT, any));
+    SHIFT_STACK = true;
+    const Found shifted = traverse_bvh(Search(ray, 0.0f, NONE, LARGEST_FLOAT, any));
+    SHIFT_STACK = false;
+    most_waiting =
+        std::max(most_waiting, std::ranges::count_if(traversal_groups, [](uint group) { return group != 0u; }));
+    ASSERT_EQ(in_array.hit.triangle, shifted.hit.triangle) << i;
+    ASSERT_EQ(in_array.nodes, shifted.nodes) << i;
+    ASSERT_EQ(in_array.triangles, shifted.triangles) << i;
+    ASSERT_TRUE(in_array.finished && shifted.finished);
+  }
+  COUNT_COST = false;
+  EXPECT_GT(most_waiting, 2 * std::ptrdiff_t{SHIFTED_GROUPS});
 }
 
 TEST(TraverseBvh, rays_that_are_none_end_at_once) {

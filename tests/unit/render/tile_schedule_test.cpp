@@ -81,6 +81,18 @@ TEST(FirstPass, takes_more_samples_where_the_picture_is_small) {
   EXPECT_EQ(choose_first_pass({0, 0, 65535, 65535}), 1u);
 }
 
+TEST(DispatchJobs, are_as_many_as_make_the_searches) {
+  EXPECT_EQ(choose_jobs(1000.0, 10, 25, 10000), 400u);
+  EXPECT_EQ(choose_jobs(1000.0, 0, 0, 10000), 1000u) << "at least one search for each";
+  EXPECT_EQ(choose_jobs(0.5, 10, 25, 10000), 1u);
+}
+
+TEST(DispatchJobs, leave_no_few_behind) {
+  EXPECT_EQ(choose_jobs(1000.0, 10, 25, 500), 500u);
+  EXPECT_EQ(choose_jobs(1000.0, 10, 25, 501), 400u);
+  EXPECT_EQ(choose_jobs(1000.0, 10, 25, 0), 0u);
+}
+
 TEST(SearchBudget, spreads_the_time_wanted_over_the_invocations) {
   EXPECT_EQ(choose_search_budget(100.0, 0.5, 1), 200u);
   EXPECT_EQ(choose_search_budget(100.0, 0.5, 20), 10u);
