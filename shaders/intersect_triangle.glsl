@@ -35,10 +35,9 @@ const float SIDE_ROUNDINGS = 8.5f;
 // depth, both at least t: 20.
 const float BOUNDS_ROUNDINGS = 4.0f;
 
-// v with `axis` and z exchanged. That mirrors the frame, so all edge values change their sign together; a cyclic order would take
-// two selects more.
+// v with `axis` last, in cyclic order.
 vec3 axis_last(IN(vec3) v, IN(int) axis) {
-  return vec3(axis == 0 ? v.z : v.x, axis == 1 ? v.z : v.y, axis == 0 ? v.x : axis == 1 ? v.y : v.z);
+  return axis == 0 ? vec3(v.y, v.z, v.x) : axis == 1 ? vec3(v.z, v.x, v.y) : v;
 }
 
 // The frame of `ray`, whose direction is not zero.
