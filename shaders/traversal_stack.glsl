@@ -13,8 +13,8 @@ THREAD_PRIVATE uint traversal_groups[TRAVERSAL_STACK_SIZE];
 // indexed array under a mask and 4 on moving eight variables; an array that is shifted by a loop it keeps in memory.
 THREAD_PRIVATE uint g0, g1, g2, g3, g4, g5, g6, g7, g8, g9;
 
-// What waits below those in a deep tree, the next one in l0. Of the searches one in a thousand has more than SHIFTED_GROUPS
-// that wait: it stops for as long as it takes to move one down or, when none is left above, up.
+// What waits below those in a deep tree, the next one in l0. Of the searches one in a thousand fills
+// SHIFTED_GROUPS: it stops for as long as it takes to move one down or, when none is left above, up.
 THREAD_PRIVATE uint l0, l1, l2, l3, l4, l5, l6, l7, l8, l9, l10, l11, l12, l13, l14, l15, l16, l17, l18, l19, l20, l21, l22, l23;
 const uint SHIFTED_GROUPS = 8u;
 

@@ -125,6 +125,7 @@ bool enter_instance(IN(Ray) ray, INOUT(TreeRay) mapped, INOUT(Tree) tree, IN(Cur
   return enters;
 }
 
+// Whether nothing passes the triangle that was hit, by what its record says until the search is over.
 bool is_opaque_hit(IN(Hit) hit) { return hit.triangle != NONE && (hit.record & BVH_TRIANGLE_NOT_OPAQUE) == 0u; }
 
 // Moves an entry of the stack down where the top is full, up where nothing else is left; false where neither is.
