@@ -31,11 +31,15 @@ void write_pixels(const std::string& path, FileFormat format, OIIO::ImageSpec sp
     if (!output) fail(path, OIIO::geterror());
     output->set_ioproxy(&checked);
     if (!output->open(file, spec)) fail(path, output->geterror());
-    std::vector<std::byte> bytes(spec.scanline_bytes(true) * std::min(kRowsPerBlock, spec.height));
+    const auto pixel_bytes = static_cast<OIIO::stride_t>(spec.pixel_bytes(true));
+    const auto row_bytes = static_cast<OIIO::stride_t>(spec.scanline_bytes(true));
+    std::vector<std::byte> bytes(row_bytes * std::min(kRowsPerBlock, spec.height));
     for (int row = 0; row < spec.height; row += kRowsPerBlock) {
       const int row_end = std::min(row + kRowsPerBlock, spec.height);
       fill(row, row_end, bytes.data());
-      if (!output->write_scanlines(spec.y + row, spec.y + row_end, 0, OIIO::TypeUnknown, bytes.data()))
+      // The distances are said, since the PNG writer of OpenImageIO 2.5 takes those of an unknown type for zero.
+      if (!output->write_scanlines(spec.y + row, spec.y + row_end, 0, OIIO::TypeUnknown, bytes.data(), pixel_bytes,
+                                   row_bytes))
         fail(path, output->geterror());
     }
     if (!output->close()) fail(path, output->geterror());
