@@ -1,4 +1,6 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <string_view>
 
 #include "cli/commands.h"
 #include "cli/run_command_line.h"
@@ -25,7 +27,12 @@ int main(int argc, char** argv) {
   add_devices_command(app, chosen);
   add_verify_command(app, chosen);
   const Command prepared = [&] {
-    if (!app.got_subcommand("view")) choose_vector_width();  // the window's program looks at the caller's environment
+    const auto asks_for_queries = [](std::string_view word) { return word.ends_with("ray-query"); };
+    if (std::any_of(argv + 1, argv + argc, asks_for_queries)) {
+      keep_vectors_narrow();  // newer ones of Mesa's drivers have ray queries with those alone
+    } else if (!app.got_subcommand("view")) {
+      choose_vector_width();  // the window's program looks at the caller's environment
+    }
     return chosen();
   };
   return run_command_line(app, prepared, argc, argv);

@@ -110,6 +110,18 @@ bool has_ray_query(const vk::raii::PhysicalDevice& physical) {
          features.get<vk::PhysicalDeviceRayQueryFeaturesKHR>().rayQuery == VK_TRUE;
 }
 
+/// Why ray queries, where the driver of Vulkan 1.2 has them, are of no use; empty where they are.
+std::string describe_ray_queries(const vk::raii::PhysicalDevice& physical, const DeviceDescription& device) {
+  if (!has_ray_query(physical)) return "its driver has no ray queries (VK_KHR_ray_query)";
+  // With 16 lanes Mesa 26.1.6 smashes its stack while it builds a tree, with 4 it does not end; 25.0.7 builds with 16.
+  constexpr std::uint32_t kBuildsWithAnyWidth = VK_MAKE_API_VERSION(0, 25, 1, 0);
+  if (device.is_llvmpipe && device.subgroup_size != 8 &&
+      physical.getProperties().driverVersion >= kBuildsWithAnyWidth) {
+    return "its driver has ray queries with vectors of 256 bits alone (LP_NATIVE_VECTOR_WIDTH=256)";
+  }
+  return "";
+}
+
 /// Opens `physical` with one queue of `family` and the features that `description` tells of.
 vk::raii::Device open(const vk::raii::PhysicalDevice& physical, const DeviceDescription& description,
                       std::uint32_t family, std::vector<const char*> extensions) {
@@ -150,7 +162,8 @@ DeviceDescription describe(const vk::raii::PhysicalDevice& physical, int index) 
     out.unusable_reason = "Vulkan " + out.api_version + ", 1.2 is needed";
   } else {
     describe_vulkan_12(physical, out);
-    out.ray_query = has_ray_query(physical);
+    out.no_ray_query_reason = describe_ray_queries(physical, out);
+    out.ray_query = out.no_ray_query_reason.empty();
   }
   const std::optional<std::uint32_t> family = compute_queue_family(physical);
   if (family) {

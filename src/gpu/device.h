@@ -35,6 +35,7 @@ struct DeviceDescription {
   std::uint32_t subgroup_size = 0;
   bool subgroup_ballot = false;  ///< invocations of a compute subgroup can vote
   bool ray_query = false;        ///< the driver builds trees of boxes and finds those that a ray meets
+  std::string no_ray_query_reason;
   bool timestamps = false;
   double timestamp_period_ns = 0.0;
   /// Storage buffers a shader stage may bind.

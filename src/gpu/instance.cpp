@@ -60,13 +60,17 @@ VulkanInstance::VulkanInstance(bool validation, const std::vector<const char*>& 
   const bool validate = validation || environment_asks_for_validation();
   instance_ = create_instance(context_, validate, extensions);
   if (!validate) return;
-  using Severity = vk::DebugUtilsMessageSeverityFlagBitsEXT;
-  using Type = vk::DebugUtilsMessageTypeFlagBitsEXT;
-  // Not Type::eGeneral: that is the loader talking about drivers it did not find.
-  messenger_ = vk::raii::DebugUtilsMessengerEXT(
-      instance_,
-      vk::DebugUtilsMessengerCreateInfoEXT({}, Severity::eWarning | Severity::eError,
-                                           Type::eValidation | Type::ePerformance, &MessageLog::receive, log_.get()));
+  // The C structure, since versions of the C++ one differ in the callback's type.
+  VkDebugUtilsMessengerCreateInfoEXT messages{};
+  messages.sType = VK_STRUCTURE_TYPE_DEBUG_UTILS_MESSENGER_CREATE_INFO_EXT;
+  messages.messageSeverity =
+      VK_DEBUG_UTILS_MESSAGE_SEVERITY_WARNING_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_SEVERITY_ERROR_BIT_EXT;
+  // Not general ones: that is the loader talking about drivers it did not find.
+  messages.messageType =
+      VK_DEBUG_UTILS_MESSAGE_TYPE_VALIDATION_BIT_EXT | VK_DEBUG_UTILS_MESSAGE_TYPE_PERFORMANCE_BIT_EXT;
+  messages.pfnUserCallback = &MessageLog::receive;
+  messages.pUserData = log_.get();
+  messenger_ = vk::raii::DebugUtilsMessengerEXT(instance_, vk::DebugUtilsMessengerCreateInfoEXT(messages));
 } catch (const vk::LayerNotPresentError&) {
   throw Error(ErrorKind::no_device, "Vulkan: the validation layer " + std::string(kValidationLayer) +
                                         " was asked for and is not installed (Debian: vulkan-validationlayers)");

@@ -26,8 +26,8 @@ bool are_wide_vectors_fast(const AdditionTimes& times);
 /// are threads and a VulkanInstance.
 void choose_vector_width();
 
-/// Takes back wide vectors that the environment asks llvmpipe for: it cannot draw triangles with them. To be called
-/// like choose_vector_width, by a program with a window.
+/// Takes back wide vectors that the environment asks llvmpipe for: it cannot draw triangles with them, nor, in newer
+/// versions, build the trees of its ray queries. To be called in place of choose_vector_width.
 void keep_vectors_narrow();
 
 /// The name of a device without the width of its vectors, which llvmpipe tells in it, `llvmpipe (LLVM 15.0.6, 256

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "preview/imgui_input.h"
+
 namespace vernier {
 namespace {
 
@@ -15,7 +17,7 @@ constexpr double kZoomPerNotch = 0.88;
 constexpr double kStepsPerSecond = 0.6;
 
 double key(int code) {
-  return ImGui::IsKeyDown(code) ? 1.0 : 0.0;
+  return is_held(code) ? 1.0 : 0.0;
 }
 
 std::optional<OrbitView> dragged(const OrbitView& view, float height) {

@@ -1,9 +1,12 @@
 #include "preview/file_browser.h"
 
+#include <GLFW/glfw3.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
 #include <cctype>
+
+#include "preview/imgui_input.h"
 
 namespace vernier {
 namespace {
@@ -95,7 +98,7 @@ std::optional<std::string> FileBrowser::draw(WidgetPlaces& places) {
     chosen = typed_;
   }
   note_place(places, "Path");
-  if (ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false)) open_ = false;
+  if (ImGui::Button("Cancel") || is_pressed(GLFW_KEY_ESCAPE)) open_ = false;
   note_place(places, "Cancel");
   ImGui::End();
   if (chosen) open_ = false;

@@ -38,17 +38,17 @@ void Replay::click(const ScriptEvent& event, const WidgetPlaces& places) {
                 "script, line " + std::to_string(event.line) + ": no `" + event.words[0] + "` is in sight");
   }
   const ImVec4& place = found->second;
-  mouse_ = {place.x + place.z * 0.5f, place.y + place.w * 0.5f};
+  input_.mouse = {place.x + place.z * 0.5f, place.y + place.w * 0.5f};
   click_frames_ = kClickFrames;
 }
 
 void Replay::point(const ScriptEvent& event) {
-  if (event.verb == "move") mouse_ = {event.numbers[0], event.numbers[1]};
-  if (event.verb == "press") buttons_[button_of(event.words[0])] = true;
-  if (event.verb == "release") buttons_[button_of(event.words[0])] = false;
-  if (event.verb == "wheel") wheel_ = static_cast<float>(event.numbers[0]);
-  if (event.verb == "hold") keys_.insert(key_code(event.words[0]));
-  if (event.verb == "let") keys_.erase(key_code(event.words[0]));
+  if (event.verb == "move") input_.mouse = {event.numbers[0], event.numbers[1]};
+  if (event.verb == "press") input_.buttons[button_of(event.words[0])] = true;
+  if (event.verb == "release") input_.buttons[button_of(event.words[0])] = false;
+  if (event.verb == "wheel") input_.wheel = static_cast<float>(event.numbers[0]);
+  if (event.verb == "hold") input_.keys.insert(key_code(event.words[0]));
+  if (event.verb == "let") input_.keys.erase(key_code(event.words[0]));
   if (event.verb == "key") {
     pressed_key_ = key_code(event.words[0]);
     key_frames_ = kClickFrames;
@@ -70,7 +70,7 @@ ReplayRequest Replay::perform(const ScriptEvent& event, PanelState& state) {
 }
 
 ReplayRequest Replay::step(bool settled, PanelState& state) {
-  wheel_ = 0.0f;
+  input_.wheel = 0.0f;
   if (click_frames_ > 0 || key_frames_ > 0) return {};  // still under way
   ReplayRequest request;
   if (next_ == events_.size()) {
@@ -87,15 +87,12 @@ std::vector<ScriptEvent> Replay::events_left() const {
   return {events_.begin() + static_cast<std::ptrdiff_t>(next_), events_.end()};
 }
 
-void Replay::put_input() {
-  ImGuiIO& io = ImGui::GetIO();
-  io.MousePos = {mouse_.x, mouse_.y};
-  for (std::size_t button = 0; button < buttons_.size(); ++button) io.MouseDown[button] = buttons_[button];
-  if (click_frames_ > 0) io.MouseDown[ImGuiMouseButton_Left] = --click_frames_ == 1;
-  io.MouseWheel = wheel_;
-  for (bool& down : io.KeysDown) down = false;
-  for (const int key : keys_) io.KeysDown[key] = true;
-  if (key_frames_ > 0) io.KeysDown[pressed_key_] = --key_frames_ == 1;
+ScriptedInput Replay::next_input() {
+  ScriptedInput input = input_;
+  if (click_frames_ > 0) input.buttons[ImGuiMouseButton_Left] = --click_frames_ == 1;
+  if (key_frames_ > 0) input.keys.erase(pressed_key_);
+  if (key_frames_ > 0 && --key_frames_ == 1) input.keys.insert(pressed_key_);
+  return input;
 }
 
 }  // namespace vernier

@@ -1,12 +1,11 @@
 #pragma once
 
-#include <array>
 #include <chrono>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
+#include "preview/imgui_input.h"
 #include "preview/panels.h"
 #include "preview/script.h"
 
@@ -34,8 +33,8 @@ class Replay {
   ReplayRequest step(bool settled, PanelState& state);
   /// What has not been done.
   std::vector<ScriptEvent> events_left() const;
-  /// Tells ImGui of mouse and keys, in place of the window system's; before its frame begins.
-  void put_input();
+  /// Mouse and keys of the next frame.
+  ScriptedInput next_input();
 
  private:
   void point(const ScriptEvent& event);
@@ -46,10 +45,7 @@ class Replay {
   std::vector<ScriptEvent> events_;
   std::size_t next_ = 0;
   std::optional<std::chrono::steady_clock::time_point> waiting_since_;
-  glm::vec2 mouse_ = glm::vec2(-1.0f);
-  std::array<bool, 3> buttons_{};
-  std::set<int> keys_;
-  float wheel_ = 0.0f;
+  ScriptedInput input_;   // but for clicks and keys under way
   int click_frames_ = 0;  // left of a click: pressed, then released
   int key_frames_ = 0;
   int pressed_key_ = -1;

@@ -81,8 +81,10 @@ UserInterface::UserInterface(const Window& window, const VulkanInstance& instanc
   init.MSAASamples = VK_SAMPLE_COUNT_1_BIT;
   init.CheckVkResultFn = check_result;
   ImGui_ImplVulkan_Init(&init, presenter.render_pass());
+#if IMGUI_VERSION_NUM < 19000  // later ones upload their font with the first frame
   presenter.run([](const vk::raii::CommandBuffer& commands) { ImGui_ImplVulkan_CreateFontsTexture(*commands); });
   ImGui_ImplVulkan_DestroyFontUploadObjects();
+#endif
 }
 
 UserInterface::~UserInterface() {

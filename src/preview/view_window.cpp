@@ -10,6 +10,7 @@
 
 #include "error.h"
 #include "preview/camera_input.h"
+#include "preview/imgui_input.h"
 #include "preview/screenshot.h"
 
 namespace vernier {
@@ -41,7 +42,7 @@ bool ViewWindow::frame(double wait_s) {
   take_loaded();
   if (replay_) replay();
   stage_.interface().begin_frame([this] {
-    if (replay_) replay_->put_input();
+    if (replay_) put_input(replay_->next_input());
   });
   const float panel = kPanelWidth * stage_.interface().scale();
   const glm::ivec2 size = window_.size_px();
@@ -84,7 +85,7 @@ void ViewWindow::note(const PanelActions& now) {
 }
 
 void ViewWindow::take_input(glm::ivec2 room) {
-  if (ImGui::IsKeyPressed(GLFW_KEY_ESCAPE, false)) actions_.stop = true;
+  if (is_pressed(GLFW_KEY_ESCAPE)) actions_.stop = true;
   // A drag may begin and end within one step of a measurement: what is seen of it then is that a button went down.
   const bool pressed = ImGui::IsMouseClicked(ImGuiMouseButton_Left) || ImGui::IsMouseClicked(ImGuiMouseButton_Right) ||
                        ImGui::IsMouseClicked(ImGuiMouseButton_Middle);
@@ -100,11 +101,11 @@ void ViewWindow::take_input(glm::ivec2 room) {
 }
 
 void ViewWindow::take_keys() {
-  if (ImGui::IsKeyPressed(GLFW_KEY_F, false)) actions_.frame_all = true;
-  if (ImGui::IsKeyPressed(GLFW_KEY_R, false)) actions_.render = true;
-  if (ImGui::IsKeyPressed(GLFW_KEY_O, false)) state_.browser.open();
+  if (is_pressed(GLFW_KEY_F)) actions_.frame_all = true;
+  if (is_pressed(GLFW_KEY_R)) actions_.render = true;
+  if (is_pressed(GLFW_KEY_O)) state_.browser.open();
   for (int digit = 0; digit < 9; ++digit) {
-    if (ImGui::IsKeyPressed(GLFW_KEY_1 + digit, false)) actions_.camera = static_cast<std::size_t>(digit);
+    if (is_pressed(GLFW_KEY_1 + digit)) actions_.camera = static_cast<std::size_t>(digit);
   }
 }
 

@@ -4,6 +4,7 @@
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include "error.h"
@@ -38,6 +39,10 @@ glm::ivec2 at_most_the_screen(glm::ivec2 size) {
 }  // namespace
 
 Window::Window(const std::string& title, glm::ivec2 size) {
+  const auto is_set = [](const char* name) { return std::getenv(name) != nullptr && *std::getenv(name) != '\0'; };
+  // Asked beforehand, since libraries of Wayland say more than one line about it.
+  if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY"))
+    throw Error(ErrorKind::failed, "no window can be opened: neither DISPLAY nor WAYLAND_DISPLAY names a screen");
   if (glfwInit() != GLFW_TRUE) throw Error(ErrorKind::failed, "no window can be opened: " + last_failure());
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);

@@ -61,8 +61,8 @@ inline void require_loads(const DeviceDescription& device, SceneLoads loads) {
                                         "texels take; try --traversal storage-array");
   }
   if (loads == SceneLoads::queries && !device.ray_query) {
-    throw Error(ErrorKind::refused, "device " + device.name + ": its driver has no ray queries (VK_KHR_ray_query), " +
-                                        "which --traversal ray-query takes");
+    throw Error(ErrorKind::refused,
+                "device " + device.name + ": " + device.no_ray_query_reason + ", which --traversal ray-query takes");
   }
 }
 

@@ -71,8 +71,10 @@ bool is_unsigned(int component_type) {
 void apply_sparse(const GltfDocument& document, const tinygltf::Accessor& accessor, const std::string& place,
                   std::vector<std::byte>& elements) {
   const auto& sparse = accessor.sparse;
-  if (sparse.count < 0 || static_cast<std::size_t>(sparse.count) > accessor.count || sparse.indices.byteOffset < 0 ||
-      sparse.values.byteOffset < 0) {
+  // tinygltf's versions differ in whether these numbers have a sign.
+  if (static_cast<std::int64_t>(sparse.count) < 0 || static_cast<std::size_t>(sparse.count) > accessor.count ||
+      static_cast<std::int64_t>(sparse.indices.byteOffset) < 0 ||
+      static_cast<std::int64_t>(sparse.values.byteOffset) < 0) {
     refuse_gltf(document, place, "its sparse count or offset is out of range");
   }
   if (!is_unsigned(sparse.indices.componentType))

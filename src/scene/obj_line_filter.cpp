@@ -74,6 +74,17 @@ std::string_view face_corner(std::string_view word) {
   return !word.empty() && word[0] != '/' && is_digit(word.back()) ? word : std::string_view{};
 }
 
+// Of a corner as face_corner has it.
+bool has_index_zero(std::string_view corner) {
+  bool is_zero = false;
+  for (std::size_t i = 0; i < corner.size(); ++i) {
+    const bool starts = i == 0 || !is_digit(corner[i - 1]);
+    is_zero = corner[i] == '0' && (starts || is_zero);
+    if (is_zero && (i + 1 == corner.size() || !is_digit(corner[i + 1]))) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 ObjLineFilter::ObjLineFilter(std::string file, std::string_view text) : file_(std::move(file)), lines_(text) {}
@@ -132,11 +143,13 @@ void ObjLineFilter::write_vertex(std::string_view text, std::string_view keyword
 void ObjLineFilter::write_face(std::string_view rest) {
   out_ += 'f';
   std::uint32_t count = 0;
+  bool has_zero = false;
   for (std::string_view word = take_word(rest); !word.empty() && word[0] != '#'; word = take_word(rest)) {
     const std::string_view corner = face_corner(word);
     if (corner.empty()) refuse(printable(word) + " is not a corner of a face");
     out_.append(" ").append(corner);
     statements_.counts_back |= corner.find('-') != std::string_view::npos;
+    has_zero |= has_index_zero(corner);
     ++count;
   }
   out_ += '\n';
@@ -145,6 +158,8 @@ void ObjLineFilter::write_face(std::string_view rest) {
     if (statements_.short_face_count++ == 0) statements_.short_face_line = line();
     return;
   }
+  // Versions of tinyobjloader differ in where they allow it.
+  if (has_zero) refuse("index 0 does not exist, indices count from 1 or back from -1");
   statements_.face_lines.push_back(static_cast<std::uint32_t>(line()));
   statements_.face_corner_counts.push_back(count);
 }

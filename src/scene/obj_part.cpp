@@ -51,9 +51,9 @@ ObjPart read_obj_part(const std::string& file, std::string_view text) {
   // origin wrongly.
   const bool done = tinyobj::LoadObj(&part.arrays, &part.shapes, nullptr, &warning, &error, &stream, &materials,
                                      /*triangulate=*/false, /*default_vcols_fallback=*/true);
-  if (!done) {
+  if (!done) {  // newer versions see it themselves
     throw Error(ErrorKind::refused, file + ": line " + std::to_string(filter.line()) +
-                                        ": index 0 does not exist, indices count from 1 or back from -1");
+                                        ": a vertex index counts back before the first vertex");
   }
   part.statements = filter.statements();
   take_mark(part);

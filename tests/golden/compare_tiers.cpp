@@ -11,11 +11,11 @@
 namespace vernier::golden {
 namespace {
 
-const std::vector<float>& floats(const ImageFile& image, const std::string& name) {
+const std::vector<float>& floats(const ImageFile& image, const char* name) {
   return std::get<std::vector<float>>(layer_of(image, name).values);
 }
 
-const std::vector<std::uint32_t>& ids(const ImageFile& image, const std::string& name) {
+const std::vector<std::uint32_t>& ids(const ImageFile& image, const char* name) {
   return std::get<std::vector<std::uint32_t>>(layer_of(image, name).values);
 }
 

@@ -12,6 +12,11 @@
 
 namespace vernier {
 
+inline bool is_newer_lavapipe() {
+  const char* driver = std::getenv("VERNIER_TEST_DRIVER");
+  return driver != nullptr && std::string(driver) == "newer_lavapipe";
+}
+
 /// What VERNIER_TEST_DRIVER promises is part of the device's name: lavapipe's is llvmpipe.
 inline std::string expected_device_name() {
   const char* driver = std::getenv("VERNIER_TEST_DRIVER");
@@ -25,7 +30,8 @@ class TestedDevice : public testing::Environment {
  public:
   const VulkanInstance& instance() {
     if (instance_ == nullptr) {
-      choose_vector_width();
+      // The newer lavapipe is here for its ray queries.
+      is_newer_lavapipe() ? keep_vectors_narrow() : choose_vector_width();
       instance_ = std::make_unique<VulkanInstance>(true);
     }
     return *instance_;

@@ -12,17 +12,17 @@
 namespace vernier {
 namespace {
 
-const Layer& layer(const ImageFile& file, const std::string& name) {
+const Layer& layer(const ImageFile& file, std::string_view name) {
   for (const Layer& candidate : file.layers)
     if (candidate.name == name) return candidate;
-  throw std::out_of_range(name);
+  throw std::out_of_range(std::string(name));
 }
 
-const std::vector<float>& floats(const ImageFile& file, const std::string& name) {
+const std::vector<float>& floats(const ImageFile& file, std::string_view name) {
   return std::get<std::vector<float>>(layer(file, name).values);
 }
 
-const std::vector<std::uint32_t>& ids(const ImageFile& file, const std::string& name) {
+const std::vector<std::uint32_t>& ids(const ImageFile& file, std::string_view name) {
   return std::get<std::vector<std::uint32_t>>(layer(file, name).values);
 }
 

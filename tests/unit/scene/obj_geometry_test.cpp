@@ -50,6 +50,8 @@ TEST(LoadObjGeometry, NegativeIndicesCountBackFromTheFace) {
 TEST(LoadObjGeometry, BadIndicesAreRefusedWithTheirLine) {
   EXPECT_EQ(refusal(kTriangle + "f 1 2 12\n"), "line 4: vertex 12 is beyond the 3 of the file");
   EXPECT_EQ(refusal(kTriangle + "\nf 0 1 2\n"), "line 5: index 0 does not exist, indices count from 1 or back from -1");
+  EXPECT_EQ(refusal(kTriangle + "vt 0 0\nf 1/1 2/-0 3/1\n"),
+            "line 5: index 0 does not exist, indices count from 1 or back from -1");
   EXPECT_EQ(refusal(kTriangle + "f 1 2 -4\n"), "line 4: a vertex index counts back before the first vertex");
   EXPECT_EQ(refusal(kTriangle + "f 1/1 2/1 3/1\n"), "line 4: texture vertex 1 is beyond the 0 of the file");
   EXPECT_EQ(refusal(kTriangle + "f 1//2 2//1 3//1\n"), "line 4: normal 2 is beyond the 0 of the file");
