@@ -43,6 +43,9 @@ Window::Window(const std::string& title, glm::ivec2 size) {
   // Asked beforehand, since libraries of Wayland say more than one line about it.
   if (!is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY"))
     throw Error(ErrorKind::failed, "no window can be opened: neither DISPLAY nor WAYLAND_DISPLAY names a screen");
+#ifdef GLFW_PLATFORM  // since 3.4 it looks for Wayland first
+  if (!is_set("WAYLAND_DISPLAY")) glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+#endif
   if (glfwInit() != GLFW_TRUE) throw Error(ErrorKind::failed, "no window can be opened: " + last_failure());
   glfwWindowHint(GLFW_CLIENT_API, GLFW_NO_API);
   glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
