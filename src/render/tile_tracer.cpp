@@ -18,7 +18,7 @@ namespace {
 constexpr std::uint64_t kSampleBytes = 64u << 20;
 /// Invocations per dispatch, in workgroups of kWorkgroup. They take jobs until none is left, so a CPU needs no more
 /// than keep its threads busy: each costs the loading and saving of a path.
-constexpr std::uint32_t kCpuInvocationsPerThread = 128;
+constexpr std::uint32_t kCpuInvocationsPerThread = 256;
 constexpr std::uint32_t kGpuInvocations = 1u << 17;
 constexpr std::uint32_t kWorkgroup = 64;
 /// Taken for the time of a search until a dispatch of at least kTrustedSearches has been timed: a slow CPU.
