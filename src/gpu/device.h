@@ -33,9 +33,9 @@ struct DeviceDescription {
   std::uint64_t device_memory_bytes = 0;  ///< largest device-local heap
   std::uint32_t max_workgroup_invocations = 0;
   std::uint32_t subgroup_size = 0;
-  bool subgroup_ballot = false;  ///< invocations of a compute subgroup can vote
-  bool ray_query = false;        ///< the driver builds trees of boxes and finds those that a ray meets
-  std::string no_ray_query_reason;
+  bool subgroup_ballot = false;     ///< invocations of a compute subgroup can vote
+  bool ray_query = false;           ///< the driver builds trees of boxes and finds those that a ray meets
+  std::string no_ray_query_reason;  ///< empty where ray_query
   bool timestamps = false;
   double timestamp_period_ns = 0.0;
   /// Storage buffers a shader stage may bind.

@@ -12,16 +12,16 @@
 
 namespace vernier {
 
-inline bool is_newer_lavapipe() {
+/// VERNIER_TEST_DRIVER: lavapipe, newer_lavapipe or swiftshader; empty where any will do.
+inline std::string tested_driver() {
   const char* driver = std::getenv("VERNIER_TEST_DRIVER");
-  return driver != nullptr && std::string(driver) == "newer_lavapipe";
+  return driver != nullptr ? driver : "";
 }
 
 /// What VERNIER_TEST_DRIVER promises is part of the device's name: lavapipe's is llvmpipe.
 inline std::string expected_device_name() {
-  const char* driver = std::getenv("VERNIER_TEST_DRIVER");
-  if (driver == nullptr) return "";
-  return std::string(driver) == "swiftshader" ? "SwiftShader" : "llvmpipe";
+  if (tested_driver().empty()) return "";
+  return tested_driver() == "swiftshader" ? "SwiftShader" : "llvmpipe";
 }
 
 /// The driver the tests run on, opened when first asked for and once for all cases of a process, with validation:
@@ -31,7 +31,7 @@ class TestedDevice : public testing::Environment {
   const VulkanInstance& instance() {
     if (instance_ == nullptr) {
       // The newer lavapipe is here for its ray queries.
-      is_newer_lavapipe() ? keep_vectors_narrow() : choose_vector_width();
+      tested_driver() == "newer_lavapipe" ? keep_vectors_narrow() : choose_vector_width();
       instance_ = std::make_unique<VulkanInstance>(true);
     }
     return *instance_;
