@@ -15,8 +15,8 @@ struct AdditionTimes {
 std::optional<AdditionTimes> time_additions();
 
 /// Whether a vector of 512 bits takes so much less than two of 256 that llvmpipe gains by it: about as long as one
-/// (AMD's Zen 5, which gains 1.41). With two units for them instead of three it takes 1.5 times as long (Intel's Xeons,
-/// 1.00), with units of half the width twice as long.
+/// (AMD's Zen 5, which gains 1.41) or, with two units for them instead of three, 1.5 times as long (Intel's Xeons, 1.00
+/// on one and 1.07 to 1.18 on another). With units of half the width it takes twice as long.
 bool are_wide_vectors_fast(const AdditionTimes& times);
 
 /// Has llvmpipe, Mesa's driver for processors, trace 16 rays at a time instead of 8 where the processor's wide vectors
