@@ -3,8 +3,6 @@
 // Usage: build_times MESH ROUNDS THREADS
 // Prints one JSON object: what was built and, for each builder, its times in the order of the rounds. The round before
 // them, in which memory is asked for first, is not told. MESH: two uint32 counts, float32 positions, uint32 corners.
-#include <embree3/rtcore.h>
-
 #include <chrono>
 #include <cstdint>
 #include <cstdio>
@@ -16,6 +14,7 @@
 #include <vector>
 
 #include "bvh/build_bvh.h"
+#include "embree.h"
 #include "raw_mesh.h"
 
 namespace {

@@ -116,5 +116,7 @@ def run_mitsuba(job: Job) -> Measurement:
 
 
 def compile_embree_rate(source: pathlib.Path, folder: pathlib.Path) -> None:
-    run_program("g++", ["g++", "-std=c++20", "-O3", "-march=native", source, "-o", folder / "embree_rate", "-lembree3",
+    # Debian 12 has Embree 3, Debian 13 has 4 (embree.h).
+    major = 4 if pathlib.Path("/usr/include/embree4").is_dir() else 3
+    run_program("g++", ["g++", "-std=c++20", "-O3", "-march=native", source, "-o", folder / "embree_rate", f"-lembree{major}",
                         "-lpthread"], folder)

@@ -26,9 +26,7 @@ RTCRayHit intersect(RTCScene scene, const RatedRay& ray) {
   RTCRayHit hit{embree_ray(ray), {}};
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   hit.hit.primID = RATED_NOTHING;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene, &context, &hit);
+  find_closest_hit(scene, hit, RayOrder::any);
   return hit;
 }
 
@@ -68,11 +66,7 @@ SurfaceHit EmbreeTracer::closest_hit(const RatedRay& ray) const {
 
 std::uint32_t EmbreeTracer::search(const RatedRay& ray) const {
   if (ray.any_hit == 0) return intersect(scene_, ray).hit.primID;
-  RTCRay asked = embree_ray(ray);
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcOccluded1(scene_, &context, &asked);
-  return asked.tfar < 0.0f ? 0 : RATED_NOTHING;
+  return is_occluded(scene_, embree_ray(ray), RayOrder::any) ? 0 : RATED_NOTHING;
 }
 
 PassTime EmbreeTracer::trace(const std::vector<RatedRay>& rays) const {

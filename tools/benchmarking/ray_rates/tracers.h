@@ -1,10 +1,9 @@
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <memory>
 #include <vector>
 
+#include "../embree.h"
 #include "gpu/submission.h"
 #include "ray_sets.h"
 #include "render/gpu_scene.h"
