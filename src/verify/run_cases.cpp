@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 namespace vernier {
 
@@ -25,6 +26,8 @@ CaseReport run_case(const VerifyCase& verify_case, const CaseSetup& setup) {
   report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const bool met = report.result.samples > 0 && (setup.level == Accuracy::fast || report.result.failures == 0);
   report.held = met || !report.result.not_run.empty();
+  const bool bounded = !report.result.has_errors || std::isfinite(report.result.bound);
+  report.has_target = setup.level != Accuracy::fast || (report.result.failures == 0 && bounded);
   return report;
 }
 

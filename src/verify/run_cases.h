@@ -15,6 +15,7 @@ struct CaseReport {
   CaseResult result;
   double seconds = 0.0;
   bool held = false;  ///< the target of the level is met; nothing is promised at fast, and of a case that was not run
+  bool has_target = true;  ///< false at fast where samples failed, and where errors have no bound to be held against
 };
 
 /// The case called `name`; nullptr when there is none.

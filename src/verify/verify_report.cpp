@@ -28,9 +28,14 @@ std::string row(const char* format, Values... values) {
   return text;
 }
 
+/// Whether samples could have failed and none did.
+bool none_failed(const CaseReport& report) {
+  return report.has_target && report.result.failures == 0;
+}
+
 std::string verdict(const CaseReport& report) {
   if (!report.result.not_run.empty()) return "not run: " + report.result.not_run;
-  return !report.held ? "FAILED" : report.result.failures > 0 ? "no target" : "held";
+  return !report.held ? "FAILED" : report.has_target ? "held" : "no target";
 }
 
 nlohmann::json case_json(const CaseReport& report) {
@@ -43,8 +48,9 @@ nlohmann::json case_json(const CaseReport& report) {
                          {"failures", result.failures},
                          {"non_finite", result.non_finite},
                          {"seconds", report.seconds},
-                         {"held", report.held}};
-  json["rate_bound"] = result.failures == 0 ? nlohmann::json(rate_bound(result.samples)) : nlohmann::json(nullptr);
+                         {"held", report.held},
+                         {"has_target", report.has_target}};
+  json["rate_bound"] = none_failed(report) ? nlohmann::json(rate_bound(result.samples)) : nlohmann::json(nullptr);
   if (result.has_errors) {
     json["error"] = {
         {"unit", result.unit}, {"p50", result.p50}, {"p99", result.p99}, {"max", result.max}, {"rms", result.rms}};
@@ -81,13 +87,12 @@ std::string case_table_head() {
 
 std::string case_line(const CaseReport& report) {
   const CaseResult& result = report.result;
-  return row("%3d %-20s %-12s %9llu %9llu %8s %9s %9s %9s %-12s %7.2f  %s\n", report.verify_case->number,
-             report.verify_case->name, report.verify_case->oracle, static_cast<unsigned long long>(result.samples),
-             static_cast<unsigned long long>(result.failures),
-             figure(result.failures == 0, rate_bound(result.samples)).c_str(),
-             figure(result.has_errors, result.p50).c_str(), figure(result.has_errors, result.p99).c_str(),
-             figure(result.has_errors, result.max).c_str(), result.unit.c_str(), report.seconds,
-             verdict(report).c_str());
+  return row(
+      "%3d %-20s %-12s %9llu %9llu %8s %9s %9s %9s %-12s %7.2f  %s\n", report.verify_case->number,
+      report.verify_case->name, report.verify_case->oracle, static_cast<unsigned long long>(result.samples),
+      static_cast<unsigned long long>(result.failures), figure(none_failed(report), rate_bound(result.samples)).c_str(),
+      figure(result.has_errors, result.p50).c_str(), figure(result.has_errors, result.p99).c_str(),
+      figure(result.has_errors, result.max).c_str(), result.unit.c_str(), report.seconds, verdict(report).c_str());
 }
 
 std::string failure_text(const CaseReport& report, const CaseSetup& setup, const std::string& arguments) {

@@ -41,6 +41,15 @@ class VerifyTest(ProgramTest):
         self.check_done("verify", "--case", "shared_edge", *FEW, "--accuracy", "exact", "--json", "verify.json")
         self.assertEqual(json.loads((self.folder / "verify.json").read_text())["level"], "exact")
 
+    def test_fast_holds_only_what_it_could_fail(self):
+        for name, verdict in (("grazing_glass", "no target"), ("t_limits", "held")):
+            result = self.check_done("verify", "--case", name, *FEW, "--level", "fast", "--json", "verify.json")
+            line = next(line for line in result.stdout.splitlines() if name in line)
+            self.assertTrue(line.endswith(verdict), line)
+            case, = json.loads((self.folder / "verify.json").read_text())["cases"]
+            self.assertEqual((case["failures"], case["held"], case["has_target"]), (0, True, verdict == "held"))
+            self.assertEqual(case["rate_bound"] is not None, verdict == "held")
+
     def test_the_seed_decides_the_inputs(self):
         errors = []
         for seed in [1, 1, 2]:
