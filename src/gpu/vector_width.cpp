@@ -19,7 +19,7 @@ constexpr long kWide = 512;
 // Mesa 22.3.6 crashes at the first triangle with more.
 constexpr long kNarrow = 256;
 
-// Between the 1.5 where wide vectors pay, or cost nothing, and the 2 where they do not.
+// Between the 1.5 where wide vectors pay or cost nothing, and the 2 where they cost.
 constexpr double kStillFast = 1.75;
 
 #if defined(__x86_64__)

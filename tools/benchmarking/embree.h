@@ -1,42 +1,53 @@
 #pragma once
 
-// Embree as the distribution has it: 3 in Debian 12, 4 in Debian 13. Of what is used here they differ in how a ray is asked for.
+// Embree as the distribution has it: 3 in Debian 12, 4 in Debian 13. Of what is used here they differ in how a ray is asked for:
+// find_closest_hit replaces hit.ray.tfar and hit.hit by the first hit of hit.ray, is_occluded tells whether `ray` meets anything,
+// `order` whether the rays asked for one after the other are near each other (kCoherentRays) or not (kAnyRays).
 #if __has_include(<embree4/rtcore.h>)
+
 #include <embree4/rtcore.h>
-#else
-#include <embree3/rtcore.h>
-#endif
 
-/// Whether rays are near those that are asked for before and after.
-enum class RayOrder { any, coherent };
+inline constexpr RTCRayQueryFlags kAnyRays = RTC_RAY_QUERY_FLAG_INCOHERENT;
+inline constexpr RTCRayQueryFlags kCoherentRays = RTC_RAY_QUERY_FLAG_COHERENT;
 
-/// Replaces hit.ray.tfar and hit.hit by the first hit of hit.ray.
-inline void find_closest_hit(RTCScene scene, RTCRayHit& hit, RayOrder order) {
-#if RTC_VERSION_MAJOR >= 4
+inline void find_closest_hit(RTCScene scene, RTCRayHit& hit, RTCRayQueryFlags order) {
   RTCIntersectArguments arguments;
   rtcInitIntersectArguments(&arguments);
-  if (order == RayOrder::coherent) arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  arguments.flags = order;
   rtcIntersect1(scene, &hit, &arguments);
-#else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  if (order == RayOrder::coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcIntersect1(scene, &context, &hit);
-#endif
 }
 
-/// Whether `ray` meets anything.
-inline bool is_occluded(RTCScene scene, RTCRay ray, RayOrder order) {
-#if RTC_VERSION_MAJOR >= 4
+inline bool is_occluded(RTCScene scene, RTCRay ray, RTCRayQueryFlags order) {
   RTCOccludedArguments arguments;
   rtcInitOccludedArguments(&arguments);
-  if (order == RayOrder::coherent) arguments.flags = RTC_RAY_QUERY_FLAG_COHERENT;
+  arguments.flags = order;
   rtcOccluded1(scene, &ray, &arguments);
-#else
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  if (order == RayOrder::coherent) context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-  rtcOccluded1(scene, &context, &ray);
-#endif
   return ray.tfar < 0.0f;
 }
+
+#else
+
+#include <embree3/rtcore.h>
+
+inline constexpr RTCIntersectContextFlags kAnyRays = RTC_INTERSECT_CONTEXT_FLAG_INCOHERENT;
+inline constexpr RTCIntersectContextFlags kCoherentRays = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
+
+inline RTCIntersectContext context_of(RTCIntersectContextFlags order) {
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  context.flags = order;
+  return context;
+}
+
+inline void find_closest_hit(RTCScene scene, RTCRayHit& hit, RTCIntersectContextFlags order) {
+  RTCIntersectContext context = context_of(order);
+  rtcIntersect1(scene, &context, &hit);
+}
+
+inline bool is_occluded(RTCScene scene, RTCRay ray, RTCIntersectContextFlags order) {
+  RTCIntersectContext context = context_of(order);
+  rtcOccluded1(scene, &context, &ray);
+  return ray.tfar < 0.0f;
+}
+
+#endif

@@ -125,7 +125,7 @@ std::vector<RTCRay> shadow_rays(RTCScene scene, const std::vector<RTCRay>& prima
   for (const RTCRay& ray : primary) {
     RTCRayHit hit{ray, {}};
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    find_closest_hit(scene, hit, RayOrder::any);
+    find_closest_hit(scene, hit, kAnyRays);
     if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) continue;
     const Vector direction{ray.dir_x, ray.dir_y, ray.dir_z};
     const Vector place = Vector{ray.org_x, ray.org_y, ray.org_z} + direction * hit.ray.tfar;
@@ -147,18 +147,18 @@ void measure(const std::string& path, std::size_t width, std::size_t height, dou
   const Rate primary_rate = rate(primary.size(), threads, seconds, [&](std::size_t i) {
     RTCRayHit hit{primary[i], {}};
     hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    find_closest_hit(scene, hit, RayOrder::coherent);
+    find_closest_hit(scene, hit, kCoherentRays);
   });
   const Rate shadow_rate = rate(shadows.size(), threads, seconds, [&](std::size_t i) {
-    is_occluded(scene, shadows[i], RayOrder::coherent);
+    is_occluded(scene, shadows[i], kCoherentRays);
   });
   if (rtcGetDeviceError(device) != RTC_ERROR_NONE) throw std::runtime_error("Embree reports an error");
   const auto p = static_cast<double>(primary.size());
   const auto s = static_cast<double>(shadows.size());
   const double seconds_once = p / primary_rate.per_s + s / shadow_rate.per_s;
   const double cpu_s_once = p / primary_rate.per_cpu_s + s / shadow_rate.per_cpu_s;
-  std::printf("{\"embree\": \"%s\", \"primary\": %zu, \"shadow\": %zu, \"primary_per_s\": %.0f, \"shadow_per_s\": %.0f, ",
-              RTC_VERSION_STRING, primary.size(), shadows.size(), primary_rate.per_s, shadow_rate.per_s);
+  std::printf("{\"primary\": %zu, \"shadow\": %zu, \"primary_per_s\": %.0f, \"shadow_per_s\": %.0f, ", primary.size(),
+              shadows.size(), primary_rate.per_s, shadow_rate.per_s);
   std::printf("\"rays_per_s\": %.0f, \"cpu_s\": %.6f}\n", (p + s) / seconds_once, cpu_s_once);
   rtcReleaseScene(scene);
   rtcReleaseDevice(device);

@@ -26,7 +26,7 @@ RTCRayHit intersect(RTCScene scene, const RatedRay& ray) {
   RTCRayHit hit{embree_ray(ray), {}};
   hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   hit.hit.primID = RATED_NOTHING;
-  find_closest_hit(scene, hit, RayOrder::any);
+  find_closest_hit(scene, hit, kAnyRays);
   return hit;
 }
 
@@ -66,7 +66,7 @@ SurfaceHit EmbreeTracer::closest_hit(const RatedRay& ray) const {
 
 std::uint32_t EmbreeTracer::search(const RatedRay& ray) const {
   if (ray.any_hit == 0) return intersect(scene_, ray).hit.primID;
-  return is_occluded(scene_, embree_ray(ray), RayOrder::any) ? 0 : RATED_NOTHING;
+  return is_occluded(scene_, embree_ray(ray), kAnyRays) ? 0 : RATED_NOTHING;
 }
 
 PassTime EmbreeTracer::trace(const std::vector<RatedRay>& rays) const {
