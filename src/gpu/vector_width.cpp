@@ -1,10 +1,8 @@
 #include "gpu/vector_width.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <limits>
 
 namespace vernier {
 namespace {
@@ -18,42 +16,6 @@ constexpr const char* kOwnPrefix = "mesa-";
 constexpr long kWide = 512;
 // Mesa 22.3.6 crashes at the first triangle with more.
 constexpr long kNarrow = 256;
-
-// Between the 1.5 where wide vectors pay or cost nothing, and the 2 where they cost.
-constexpr double kStillFast = 1.75;
-
-#if defined(__x86_64__)
-
-constexpr long kRounds = 2000;
-constexpr int kRuns = 12;
-
-// In assembly, so that a build without optimisation measures the same. Eight sums that do not wait for each other: more
-// than any processor works on at a time.
-#define ADD(vector) "vpaddd %%" vector ", %%" vector ", %%" vector "\n\t"
-#define ADD_TO_EIGHT(vectors)                                                                             \
-  asm volatile("1: " ADD(vectors "0") ADD(vectors "1") ADD(vectors "2") ADD(vectors "3") ADD(vectors "4") \
-                   ADD(vectors "5") ADD(vectors "6") ADD(vectors "7") "dec %0\n\tjnz 1b\n\tvzeroupper"    \
-               : "+r"(rounds)                                                                             \
-               :                                                                                          \
-               : "cc", "xmm0", "xmm1", "xmm2", "xmm3", "xmm4", "xmm5", "xmm6", "xmm7")
-
-void add_256(long rounds) {
-  ADD_TO_EIGHT("ymm");
-}
-void add_512(long rounds) {
-  ADD_TO_EIGHT("zmm");
-}
-
-#undef ADD_TO_EIGHT
-#undef ADD
-
-double time_of(void (*add)(long)) {
-  const auto start = std::chrono::steady_clock::now();
-  add(kRounds);
-  return std::chrono::duration<double, std::nano>(std::chrono::steady_clock::now() - start).count();
-}
-
-#endif
 
 /// The width that the environment asks for; 0 for none.
 long width_asked_for() {
@@ -94,29 +56,17 @@ void set_width(long bits) {
 
 }  // namespace
 
-std::optional<AdditionTimes> time_additions() {
+bool has_wide_vectors() {
 #if defined(__x86_64__)
-  if (!__builtin_cpu_supports("avx512f") || !__builtin_cpu_supports("avx512vl")) return std::nullopt;
-  constexpr double kNever = std::numeric_limits<double>::infinity();
-  AdditionTimes least{kNever, kNever};
-  for (int run = 0; run < kRuns; ++run) {
-    least.bits_256 = std::min(least.bits_256, time_of(add_256));
-    least.bits_512 = std::min(least.bits_512, time_of(add_512));
-  }
-  return least;
+  return __builtin_cpu_supports("avx512vl") != 0;
 #else
-  return std::nullopt;
+  return false;
 #endif
-}
-
-bool are_wide_vectors_fast(const AdditionTimes& times) {
-  return times.bits_512 < kStillFast * times.bits_256;
 }
 
 void choose_vector_width() {
   if (const long bits = width_asked_for(); bits > 0) return set_width(bits);
-  const std::optional<AdditionTimes> times = time_additions();
-  if (times && are_wide_vectors_fast(*times)) set_width(kWide);
+  if (has_wide_vectors()) set_width(kWide);
 }
 
 void keep_vectors_narrow() {

@@ -17,7 +17,7 @@ SIZE = (320, 180)
 ROOM = (480, 680)  # of the picture in a window that has just been opened
 OUTSIDE = (1270, 710)  # of the window
 PANEL = 340  # pixels, at the right of the window
-# What `vernier` itself sets where wide vectors are fast: llvmpipe crashes if it has to draw a triangle then.
+# What `vernier` itself sets where a processor has wide vectors: llvmpipe crashes if it has to draw a triangle then.
 WIDE_VECTORS = {"LP_NATIVE_VECTOR_WIDTH": "512"}
 # On two busy cores a kernel compiles in seconds.
 PATIENCE = 60.0
