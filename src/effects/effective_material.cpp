@@ -43,16 +43,13 @@ void apply_alpha(Material& material, std::span<const TextureValues> values, bool
 void apply_base_color(Material& material, std::span<const TextureValues> values) {
   Slot slot(material, TEXTURE_SLOT_BASE_COLOR, values);
   const bool alpha_counts = material.workflow != Workflow::blinn && material.alpha_mode != AlphaMode::opaque;
-  const bool zero = slot.zero({kRed, kGreen, kBlue});
-  if (zero) material.base_color = glm::vec4(glm::vec3(0.0f), material.base_color.w);
-  if ((zero || slot.one({kRed, kGreen, kBlue})) && (!alpha_counts || slot.one({kAlpha}))) slot.remove();
+  const bool alone = slot.zero({kRed, kGreen, kBlue}) || slot.one({kRed, kGreen, kBlue});
+  if (alone && (!alpha_counts || slot.one({kAlpha}))) slot.remove();
 }
 
 void apply_surface(Material& material, std::span<const TextureValues> values) {
   Slot slot(material, TEXTURE_SLOT_SURFACE, values);
   if (material.workflow == Workflow::metallic_roughness) {
-    if (slot.zero({kGreen})) material.roughness = 0.0f;
-    if (slot.zero({kBlue})) material.metallic = 0.0f;
     const bool rough_alone = slot.one({kGreen}) || material.roughness == 0.0f;
     const bool metal_alone = slot.one({kBlue}) || material.metallic == 0.0f;
     if (rough_alone && metal_alone) slot.remove();
@@ -63,7 +60,6 @@ void apply_surface(Material& material, std::span<const TextureValues> values) {
 
 void apply_light(Material& material, std::span<const TextureValues> values) {
   Slot emission(material, TEXTURE_SLOT_EMISSION, values);
-  if (emission.zero({kRed, kGreen, kBlue})) material.emission = glm::vec3(0.0f);
   if (emission.one({kRed, kGreen, kBlue})) emission.remove();
   Slot occlusion(material, TEXTURE_SLOT_OCCLUSION, values);
   if (occlusion.one({kRed})) occlusion.remove();
@@ -73,20 +69,33 @@ void apply_light(Material& material, std::span<const TextureValues> values) {
 void apply_dielectric(Material& material, std::span<const TextureValues> values) {
   if (material.workflow != Workflow::metallic_roughness) return;
   Slot transmission(material, TEXTURE_SLOT_TRANSMISSION, values);
-  if (transmission.zero({kRed})) material.transmission = glm::vec3(0.0f);
   if (transmission.one({kRed})) transmission.remove();
   Slot strength(material, TEXTURE_SLOT_SPECULAR, values);
-  if (strength.zero({kAlpha})) material.specular_strength = 0.0f;
   if (strength.one({kAlpha})) strength.remove();
   Slot color(material, TEXTURE_SLOT_SPECULAR_COLOR, values);
-  if (color.zero({kRed, kGreen, kBlue})) material.specular = glm::vec3(0.0f);
   if (color.one({kRed, kGreen, kBlue})) color.remove();
 }
 
 }  // namespace
 
+Material with_zero_factors(Material material, std::span<const TextureValues> values) {
+  const auto is_zero = [&](int slot, std::initializer_list<Channel> channels) {
+    return Slot(material, slot, values).zero(channels);
+  };
+  if (is_zero(TEXTURE_SLOT_BASE_COLOR, {kRed, kGreen, kBlue}))
+    material.base_color = {0.0f, 0.0f, 0.0f, material.base_color.w};
+  if (is_zero(TEXTURE_SLOT_EMISSION, {kRed, kGreen, kBlue})) material.emission = glm::vec3(0.0f);
+  if (material.workflow != Workflow::metallic_roughness) return material;
+  if (is_zero(TEXTURE_SLOT_SURFACE, {kGreen})) material.roughness = 0.0f;
+  if (is_zero(TEXTURE_SLOT_SURFACE, {kBlue})) material.metallic = 0.0f;
+  if (is_zero(TEXTURE_SLOT_TRANSMISSION, {kRed})) material.transmission = glm::vec3(0.0f);
+  if (is_zero(TEXTURE_SLOT_SPECULAR, {kAlpha})) material.specular_strength = 0.0f;
+  if (is_zero(TEXTURE_SLOT_SPECULAR_COLOR, {kRed, kGreen, kBlue})) material.specular = glm::vec3(0.0f);
+  return material;
+}
+
 Material effective_material(const Material& material, std::span<const TextureValues> values, bool vertex_colors) {
-  Material effective = material;
+  Material effective = with_zero_factors(material, values);
   apply_alpha(effective, values, vertex_colors);
   apply_base_color(effective, values);
   apply_surface(effective, values);

@@ -6,6 +6,7 @@
 #include <map>
 #include <unordered_set>
 
+#include "effects/effective_material.h"
 #include "error.h"
 #include "shared/render_constants.h"
 
@@ -77,10 +78,11 @@ DeviceMaterial device_material(const Material& material, double metres_per_unit)
 }
 
 std::vector<std::uint32_t> pack_materials(const Scene& scene, double metres_per_unit) {
+  const std::vector<TextureValues> values = texture_values(scene, std::vector<bool>(scene.textures.size(), true));
   std::vector<std::uint32_t> words;
   words.reserve(scene.materials.size() * MATERIAL_TEXELS * 4);
   for (const Material& material : scene.materials) {
-    append_words(words, device_material(material, metres_per_unit));
+    append_words(words, device_material(with_zero_factors(material, values), metres_per_unit));
     for (const TextureUse& use : material.textures) append_words(words, device_texture_use(use));
   }
   return words;

@@ -52,6 +52,26 @@ TEST_F(WrongOffTest, a_normal_texture_without_slope_and_glass_without_boundary_c
   EXPECT_TRUE(picture("auto") == picture("all"));
 }
 
+TEST_F(WrongOffTest, textures_of_zeros_leave_no_factor) {
+  for (const int slot : {TEXTURE_SLOT_BASE_COLOR, TEXTURE_SLOT_SURFACE, TEXTURE_SLOT_EMISSION,
+                         TEXTURE_SLOT_TRANSMISSION, TEXTURE_SLOT_SPECULAR, TEXTURE_SLOT_SPECULAR_COLOR}) {
+    scene_ = test::tiny_scene();
+    for (Material& material : scene_.materials) {
+      for (TextureUse& use : material.textures) use.texture = -1;
+    }
+    Material& wall = scene_.materials[0];
+    wall.metallic = 0.7f;
+    wall.specular_strength = 0.9f;
+    wall.transmission = glm::vec3(slot == TEXTURE_SLOT_TRANSMISSION ? 0.6f : 0.0f);
+    scene_.materials[1].emission = glm::vec3(0.1f);
+    const std::vector<float> plain = picture("all");
+    wall.textures[slot].texture = test::add_texture(scene_, test::linear_texels(1, 1, {0}));
+    const std::vector<float> all = picture("all");
+    EXPECT_FALSE(all == plain) << "the texture counts, slot " << slot;
+    EXPECT_TRUE(picture("auto") == all) << "slot " << slot;
+  }
+}
+
 /// Two walls that mirror a quarter of what meets them, far into the picture.
 Scene mirror_corridor() {
   Scene scene;

@@ -73,6 +73,7 @@ TEST(PackMaterials, unlit_lets_no_light_through) {
 
 TEST(PackMaterials, texture_uses_follow_their_material) {
   Scene scene;
+  scene.textures.resize(5);
   scene.materials.resize(2);
   TextureUse& use = scene.materials[1].textures[TEXTURE_SLOT_EMISSION];
   use.texture = 4;
