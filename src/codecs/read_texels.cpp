@@ -5,9 +5,11 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <vector>
 
+#include "codecs/webp_image.h"
 #include "error.h"
 #include "image/srgb_curve.h"
 #include "scene/texel_codec.h"
@@ -118,6 +120,16 @@ void read_floats(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std
 
 void read_texels(std::span<const std::byte> encoded, const std::string& extension, const std::string& name,
                  TexelEncoding encoding, const std::function<void(std::uint64_t)>& claim, Texels& texels) {
+  if (const std::optional<glm::ivec2> size = still_webp_size(encoded)) {
+    check_size(OIIO::ImageSpec(size->x, size->y, 4, OIIO::TypeDesc::UINT8), name);
+    claim(std::uint64_t(size->x) * std::uint64_t(size->y) * 4);
+    texels.width = std::uint32_t(size->x);
+    texels.height = std::uint32_t(size->y);
+    texels.format = encoding == TexelEncoding::srgb ? TEXTURE_FORMAT_SRGB8 : TEXTURE_FORMAT_LINEAR8;
+    texels.words.resize(std::size_t(texels.width) * texels.height);
+    if (!decode_still_webp(encoded, *size, texels.words)) refuse(name, "the image cannot be read");
+    return;
+  }
   OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(encoded.data()), encoded.size());
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);

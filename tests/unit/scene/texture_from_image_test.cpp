@@ -3,6 +3,7 @@
 #include <OpenImageIO/imageio.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <fstream>
 #include <iterator>
@@ -29,6 +30,16 @@ std::string write_image(const TemporaryFolder& folder, const std::string& name, 
 
 using Bytes = std::vector<std::uint8_t>;
 using Words = std::vector<std::uint32_t>;
+
+void expect_refused(const std::function<void()>& work, const std::string& part) {
+  try {
+    work();
+    ADD_FAILURE() << "no error; expected one with: " << part;
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+  }
+}
 
 TEST(TextureFromImage, stores_eight_bits_as_they_are_with_red_in_the_low_byte) {
   const TemporaryFolder folder;
@@ -64,6 +75,20 @@ TEST(TextureFromImage, reads_many_formats_by_content_from_memory) {
   }
 }
 
+/// 2 x 1 texels, (255, 0, 0) of opacity 64 and (10, 200, 30) of opacity 0, by `cwebp -lossless -exact`.
+constexpr std::array<std::uint8_t, 42> kSeeThroughWebp = {
+    0x52, 0x49, 0x46, 0x46, 0x22, 0x00, 0x00, 0x00, 0x57, 0x45, 0x42, 0x50, 0x56, 0x50,
+    0x38, 0x4c, 0x15, 0x00, 0x00, 0x00, 0x2f, 0x01, 0x00, 0x00, 0x10, 0x0f, 0x30, 0xc8,
+    0x5f, 0xf8, 0x1f, 0x8f, 0x03, 0x01, 0x87, 0x34, 0x2a, 0x10, 0xd1, 0xff, 0x00, 0x00};
+
+TEST(TextureFromImage, colours_of_webp_are_not_multiplied_by_its_alpha) {
+  const auto bytes = std::as_bytes(std::span(kSeeThroughWebp));
+  const auto texels = decode_texels(bytes, "image 0", TexelEncoding::srgb);
+  EXPECT_EQ(texels->format, TEXTURE_FORMAT_SRGB8);
+  EXPECT_EQ(texels->words, (Words{0x400000FFu, 0x001EC80Au}));
+  expect_refused([&] { decode_texels(bytes.first(30), "image 0", TexelEncoding::srgb); }, "image 0");
+}
+
 TEST(TextureFromImage, stores_deeper_images_as_linear_floats) {
   const TemporaryFolder folder;
   const std::string deep = write_image<std::uint16_t>(folder, "a.png", 1, {0, 32768});
@@ -79,16 +104,6 @@ TEST(TextureFromImage, stores_deeper_images_as_linear_floats) {
   EXPECT_EQ(component(*exr, 0), 4.0f);
   EXPECT_EQ(component(*exr, 1), 0.5f) << "float images are linear already";
   EXPECT_EQ(component(*exr, 6), 0.0f) << "infinity";
-}
-
-void expect_refused(const std::function<void()>& work, const std::string& part) {
-  try {
-    work();
-    ADD_FAILURE() << "no error; expected one with: " << part;
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::refused);
-    EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
-  }
 }
 
 TEST(TextureFromImage, refuses_what_is_no_image) {
