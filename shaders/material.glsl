@@ -52,6 +52,9 @@ DeviceTextureUse fetch_texture_use(IN(uint) index, IN(uint) slot) {
   return DeviceTextureUse(a.x, a.y, uintBitsToFloat(a.z), uintBitsToFloat(a.w), b.x, b.y, b.z, b.w);
 }
 
+// A use of UV set `uv_set` as it is.
+DeviceTextureUse plain_use(IN(uint) uv_set) { return DeviceTextureUse(0u, uv_set, 1.0f, 0.0f, 0.0f, 1.0f, 0.0f, 0.0f); }
+
 // Beer-Lambert coefficient of material number `index`, per unit.
 vec3 fetch_absorption(IN(uint) index) { return first_three(float_texel(load_material(index * MATERIAL_TEXELS + 5u))); }
 

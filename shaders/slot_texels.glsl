@@ -16,7 +16,6 @@ struct SlotTexels {
   vec4 specular;
   vec4 specular_color;
   vec4 alpha;
-  uint normal_uv_set;
   bool finished;  // false: cut off by a loop limit, the texels may not be used
 };
 
@@ -38,7 +37,7 @@ uint readable_slots() {
 // Those of a material without textures.
 SlotTexels no_slot_texels() {
   vec4 one = vec4(1.0f);
-  return SlotTexels(one, one, one, one, one, one, one, one, one, 0u, true);
+  return SlotTexels(one, one, one, one, one, one, one, one, one, true);
 }
 
 // The effect that reads `slot`.
@@ -83,7 +82,6 @@ SlotTexels fetch_slot_texels(IN(TrianglePoint) point, IN(DeviceMaterial) materia
       vec2 uv = interpolated_uv(point, use.uv_set);
       vec2 place = vec2(use.m00 * uv.x + use.m01 * uv.y + use.m02, use.m10 * uv.x + use.m11 * uv.y + use.m12);
       set_slot(texels, slot, sample_texture(use.texture, place));
-      texels.normal_uv_set = slot == TEXTURE_SLOT_NORMAL ? use.uv_set : texels.normal_uv_set;
       round++;
       done = left == 0u || round >= uint(TEXTURE_SLOT_COUNT);
       if (TEST_LAST && done) break;

@@ -37,8 +37,14 @@ vec3 interpolated_normal(IN(TrianglePoint) point, IN(vec3) geometric) {
   return height < 0.0f ? -smooth_normal : smooth_normal;
 }
 
-// Tangent (xyz) around `normal` and handedness (w), from the mesh or from the gradient of UV set `uv_set`; zero for none.
-vec4 tangent_frame(IN(TrianglePoint) point, IN(vec3) normal, IN(uint) uv_set) {
+// `d`, a difference of texture coordinates, in the directions of the image that `use` looks up.
+vec2 along_image(IN(DeviceTextureUse) use, IN(vec2) d) {
+  return vec2(use.m00 * d.x + use.m01 * d.y, use.m10 * d.x + use.m11 * d.y);
+}
+
+// Tangent (xyz) around `normal` and handedness (w), from the mesh or from the gradient of the texture coordinates of `use`;
+// zero for none.
+vec4 tangent_frame(IN(TrianglePoint) point, IN(vec3) normal, IN(DeviceTextureUse) use) {
   SteeringConstants constants = steering_constants();
   float handedness = INSTANCED ? uintBitsToFloat(fetch_instance_words(point.instance).y) : 1.0f;
   if (constants.tangent_texel != NONE) {
@@ -55,11 +61,11 @@ vec4 tangent_frame(IN(TrianglePoint) point, IN(vec3) normal, IN(uint) uv_set) {
       return vec4(unit_vector(t - normal * dot_product(normal, t)), t0.w * handedness);
     }
   }
-  uint texel = uv_texel(uv_set);
+  uint texel = uv_texel(use.uv_set);
   if (texel == NONE) return vec4(0.0f);
-  vec2 uv0 = uv_of_set(vertex_attribute(point.vertices.x, texel), uv_set);
-  vec2 d1 = uv_of_set(vertex_attribute(point.vertices.y, texel), uv_set) - uv0;
-  vec2 d2 = uv_of_set(vertex_attribute(point.vertices.z, texel), uv_set) - uv0;
+  vec2 uv0 = uv_of_set(vertex_attribute(point.vertices.x, texel), use.uv_set);
+  vec2 d1 = along_image(use, uv_of_set(vertex_attribute(point.vertices.y, texel), use.uv_set) - uv0);
+  vec2 d2 = along_image(use, uv_of_set(vertex_attribute(point.vertices.z, texel), use.uv_set) - uv0);
   precise float area = d1.x * d2.y - d1.y * d2.x;
   if (area == 0.0f || !is_finite(area)) return vec4(0.0f);
   float side = area < 0.0f ? -1.0f : 1.0f;
@@ -70,7 +76,7 @@ vec4 tangent_frame(IN(TrianglePoint) point, IN(vec3) normal, IN(uint) uv_set) {
 // `normal` bent by the material's normal texture; unchanged where there is none or no tangent.
 vec3 bent_normal(IN(TrianglePoint) point, IN(DeviceMaterial) material, IN(SlotTexels) texels, IN(vec3) normal) {
   if ((material.textured_slots & (1u << TEXTURE_SLOT_NORMAL)) == 0u) return normal;
-  vec4 frame = tangent_frame(point, normal, texels.normal_uv_set);
+  vec4 frame = tangent_frame(point, normal, fetch_texture_use(point.vertices.w, uint(TEXTURE_SLOT_NORMAL)));
   vec3 tangent = first_three(frame);
   if (tangent == vec3(0.0f)) return normal;
   note_run(EFFECT_NORMAL_TEXTURE);

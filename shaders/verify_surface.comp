@@ -82,7 +82,7 @@ void main() {
       break;
     }
     case VERIFY_FRAME: {
-      vec4 frame = tangent_frame(weighted_point(0.0, 0.0), operand_vector(12u), 0u);
+      vec4 frame = tangent_frame(weighted_point(0.0, 0.0), operand_vector(12u), plain_use(0u));
       answer_vector(0u, first_three(frame));
       answer(3u, frame.w);
       break;

@@ -66,8 +66,9 @@ std::optional<Tangents> tangents_from_uvs(const TracedScene& scene, const Triang
                                           const glm::dvec3& normal) {
   const TextureUse& use = scene.scene->materials[triangle.material].textures[TEXTURE_SLOT_NORMAL];
   const std::array<glm::dvec2, 3> uvs = corner_uvs(*scene.scene, triangle, use.uv_set);
-  const glm::dvec2 uv1 = uvs[1] - uvs[0];
-  const glm::dvec2 uv2 = uvs[2] - uvs[0];
+  const glm::dmat2 along_image(glm::dvec2(use.uv_from_vertex_uv[0]), glm::dvec2(use.uv_from_vertex_uv[1]));
+  const glm::dvec2 uv1 = along_image * (uvs[1] - uvs[0]);
+  const glm::dvec2 uv2 = along_image * (uvs[2] - uvs[0]);
   const double area = uv1.x * uv2.y - uv2.x * uv1.y;
   if (!(std::abs(area) > 0.0)) return std::nullopt;
   const double sign = area > 0.0 ? 1.0 : -1.0;

@@ -62,7 +62,8 @@ Mesh read_gltf_vertices(GltfDocument& document, const tinygltf::Primitive& primi
     vertices.normals = read_gltf_vectors<3>(document, normal, place + ", NORMAL");
     check_count(document, place + ", NORMAL", vertices.normals.size(), count);
   }
-  if (const int tangent = find_attribute(primitive, "TANGENT"); tangent >= 0) {
+  // glTF 2.0, 3.7.2.1: without normals they are ignored.
+  if (const int tangent = find_attribute(primitive, "TANGENT"); tangent >= 0 && !vertices.normals.empty()) {
     vertices.tangents = read_gltf_vectors<4>(document, tangent, place + ", TANGENT");
     check_count(document, place + ", TANGENT", vertices.tangents.size(), count);
   }

@@ -171,7 +171,7 @@ TEST(Instance, the_surface_is_that_of_the_copy) {
       if (first.triangle == NONE) continue;
       const TrianglePoint point = triangle_point(ray, first);
       expected = surface_point(point, bumpy, texels, ray.direction);
-      expected_frame = tangent_frame(point, expected.normal, 0u);
+      expected_frame = tangent_frame(point, expected.normal, plain_use(0));
     }
     const BoundMemory bound(shared.memory);
     const InstancedKernel instanced;
@@ -202,7 +202,7 @@ TEST(Instance, the_surface_is_that_of_the_copy) {
     EXPECT_LE(glm::length(surface.normal - expected.normal), kFrameTurns * (turn + tilt)) << i;
     EXPECT_EQ(surface.front, expected.front) << i;
     EXPECT_EQ(object_of(hit.triangle), object_of(first.triangle));
-    const vec4 frame = tangent_frame(point, surface.normal, 0u);
+    const vec4 frame = tangent_frame(point, surface.normal, plain_use(0));
     EXPECT_EQ(frame.w, expected_frame.w) << i;
     EXPECT_LE(glm::length(first_three(frame) - first_three(expected_frame)), kFrameTurns * kFrameTurns * (turn + tilt))
         << i;

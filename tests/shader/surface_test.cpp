@@ -2,6 +2,7 @@
 
 #include <array>
 #include <bit>
+#include <cstring>
 #include <limits>
 #include <numbers>
 
@@ -22,9 +23,15 @@ struct Corners {
   std::array<vec2, 3> second_uvs{};
 };
 
-/// Memory with one triangle's vertices: all attributes but colours are there.
-Memory memory_with(const Corners& corners) {
+constexpr std::uint32_t kMaterial = 7;
+
+/// Memory with one triangle's vertices: all attributes but colours are there; `use` is that of the normal texture.
+Memory memory_with(const Corners& corners, const DeviceTextureUse& use = plain_use(0)) {
   Memory scene;
+  scene.materials.resize(std::size_t{kMaterial + 1} * MATERIAL_TEXELS);
+  const std::size_t slot = TEXTURE_SLOT_NORMAL;
+  std::memcpy(&scene.materials[kMaterial * MATERIAL_TEXELS + MATERIAL_OWN_TEXELS + slot * TEXTURE_USE_TEXELS], &use,
+              sizeof use);
   SteeringConstants& steering = scene.dispatch.steering;
   steering.vertex_texels = 3;
   steering.normal_texel = 0;
@@ -41,7 +48,8 @@ Memory memory_with(const Corners& corners) {
 
 /// The point with weights b1 and b2 of the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), whose front looks along +Z.
 TrianglePoint unit_triangle_point(float b1, float b2) {
-  return weighted_point(vec3(0), vec3(1, 0, 0), vec3(0, 1, 0), uvec4(0, 1, 2, 7), vec3(1 - b1 - b2, b1, b2), 1.0f);
+  return weighted_point(vec3(0), vec3(1, 0, 0), vec3(0, 1, 0), uvec4(0, 1, 2, kMaterial), vec3(1 - b1 - b2, b1, b2),
+                        1.0f);
 }
 
 /// A unit vector has two roundings per component: the scaled sum's and the reciprocal's, and those of the sum under the
@@ -57,18 +65,17 @@ DeviceMaterial with_normal_texture(float scale) {
   return material;
 }
 
-SlotTexels normal_texel(const vec3& rgb, std::uint32_t uv_set = 0) {
+SlotTexels normal_texel(const vec3& rgb) {
   SlotTexels texels = no_slot_texels();
   texels.normal = vec4(rgb, 1);
-  texels.normal_uv_set = uv_set;
   return texels;
 }
 
 /// The unit triangle's normal bent by a texel of value `rgb`.
 vec3 bent(const Corners& corners, const vec3& rgb, float scale = 1.0f, std::uint32_t uv_set = 0) {
-  Memory scene = memory_with(corners);
+  Memory scene = memory_with(corners, plain_use(uv_set));
   const BoundMemory bound(scene);
-  return bent_normal(unit_triangle_point(0.25f, 0.25f), with_normal_texture(scale), normal_texel(rgb, uv_set), kUp);
+  return bent_normal(unit_triangle_point(0.25f, 0.25f), with_normal_texture(scale), normal_texel(rgb), kUp);
 }
 
 vec3 interpolated_at(const Corners& corners, float b1, float b2) {
@@ -77,10 +84,10 @@ vec3 interpolated_at(const Corners& corners, float b1, float b2) {
   return interpolated_normal(unit_triangle_point(b1, b2), kUp);
 }
 
-vec4 frame_of(const Corners& corners, std::uint32_t uv_set = 0) {
+vec4 frame_of(const Corners& corners, const DeviceTextureUse& use = plain_use(0)) {
   Memory scene = memory_with(corners);
   const BoundMemory bound(scene);
-  return tangent_frame(unit_triangle_point(0.25f, 0.5f), kUp, uv_set);
+  return tangent_frame(unit_triangle_point(0.25f, 0.5f), kUp, use);
 }
 
 TEST(Surface, normals_turn_to_the_viewer_and_front_remembers_the_side) {
@@ -190,13 +197,22 @@ TEST(Surface, along_the_tangent_of_a_uv_set_u_grows_and_v_stays) {
 TEST(Surface, the_frame_takes_the_slot_s_own_uv_set) {
   Corners corners;
   corners.second_uvs = {vec2(0, 0), vec2(0, 1), vec2(1, 0)};
-  EXPECT_EQ(frame_of(corners, 0), vec4(1, 0, 0, -1));
-  EXPECT_EQ(frame_of(corners, 1), vec4(0, 1, 0, 1));
+  EXPECT_EQ(frame_of(corners, plain_use(0)), vec4(1, 0, 0, -1));
+  EXPECT_EQ(frame_of(corners, plain_use(1)), vec4(0, 1, 0, 1));
+}
+
+TEST(Surface, the_frame_is_that_of_the_image_as_it_is_looked_up) {
+  DeviceTextureUse mirrored = plain_use(0);
+  mirrored.m00 = -1;
+  EXPECT_EQ(frame_of({}, mirrored), vec4(-1, 0, 0, 1));
+  const DeviceTextureUse turned = {
+      .texture = 0, .uv_set = 0, .m00 = 0, .m10 = -1, .m01 = 1, .m11 = 0, .m02 = 0, .m12 = 0};
+  EXPECT_EQ(frame_of({}, turned), vec4(0, 1, 0, -1));
 }
 
 TEST(Surface, a_uv_set_without_area_or_that_is_not_there_gives_no_frame) {
   Corners corners;
-  EXPECT_EQ(frame_of(corners, 2), vec4(0));
+  EXPECT_EQ(frame_of(corners, plain_use(2)), vec4(0));
   corners.uvs[2] = vec2(3, 0);
   EXPECT_EQ(frame_of(corners), vec4(0));
   for (const float odd : {std::numeric_limits<float>::infinity(), std::numeric_limits<float>::quiet_NaN()}) {

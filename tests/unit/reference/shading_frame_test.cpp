@@ -102,6 +102,15 @@ TEST(ShadingFrame, NormalTextureOfAMirroredUvMap) {
   expect_near(frame_at(scene, {0.5, 0.25, 2}, {0, 0, -1}).shading_normal, {-0.6, 0, 0.8});
 }
 
+TEST(ShadingFrame, NormalTextureThatIsLookedUpTurned) {
+  Scene scene = textured_square({0.6f, 0, 0.8f});
+  glm::mat3x2& uv = scene.materials[0].textures[TEXTURE_SLOT_NORMAL].uv_from_vertex_uv;
+  uv = glm::mat3x2(-1, 0, 0, 1, 1, 0);  // mirrored
+  expect_near(frame_at(scene, {0.5, 0.25, 2}, {0, 0, -1}).shading_normal, {-0.6, 0, 0.8});
+  uv = glm::mat3x2(0, 1, -1, 0, 1, 0);  // the image's u runs against the vertices' v, which runs down
+  expect_near(frame_at(scene, {0.5, 0.25, 2}, {0, 0, -1}).shading_normal, {0, 0.6, 0.8});
+}
+
 TEST(ShadingFrame, NormalScaleBendsMore) {
   Scene scene = textured_square({0.6f, 0, 0.8f});
   scene.materials[0].normal_scale = 2.0f;
