@@ -41,10 +41,15 @@ class TreeBuilder {
       }
     }
     team.run(team.thread_count(), [&](std::size_t) {
-      while (const std::optional<Subtree> subtree = queue_.take()) {
-        const std::size_t placed = build_subtree(*subtree);
-        if (done) done(placed);
-        queue_.finish();
+      try {
+        while (const std::optional<Subtree> subtree = queue_.take()) {
+          const std::size_t placed = build_subtree(*subtree);
+          if (done) done(placed);
+          queue_.finish();
+        }
+      } catch (...) {
+        queue_.give_up();
+        throw;
       }
     });
   }

@@ -40,6 +40,14 @@ class WorkQueue {
     }
   }
 
+  /// Wakes all: take has nothing any more. For a thread that fails, so that no other waits for its tasks.
+  void give_up() {
+    const std::scoped_lock lock(mutex_);
+    next_ = tasks_.size();
+    unfinished_ = 0;
+    changed_.notify_all();
+  }
+
  private:
   std::mutex mutex_;
   std::condition_variable changed_;

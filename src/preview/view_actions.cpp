@@ -90,7 +90,7 @@ ViewPlan ViewWindow::plan_of_now() const {
 void ViewWindow::show(ViewedScene viewed) {
   const std::string source = viewed.source;
   const CameraWords words = viewed.words;
-  const WorldBounds bounds = world_bounds(viewed.scene);
+  const WorldBounds bounds = seen_bounds(viewed.scene);
   auto session = std::make_unique<ViewSession>(stage_.device(), std::move(viewed), state_.settings);
   auto display = std::make_unique<FilmDisplay>(stage_.device(), session->film());
   display_ = std::move(display);

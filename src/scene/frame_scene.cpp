@@ -59,19 +59,28 @@ std::vector<glm::dvec3> corners_of(const WorldBounds& box) {
   return corners;
 }
 
-/// Which vertices of `mesh` are corners of triangles that can be seen.
-std::vector<bool> used_vertices(const Mesh& mesh) {
+/// Which triangles count.
+enum class Counted { traced, seen };
+
+bool counts(const Mesh& mesh, const glm::uvec3& triangle, Counted counted) {
+  if (counted == Counted::seen) return has_area(mesh, triangle);
+  const glm::vec3 &a = mesh.positions[triangle.x], &b = mesh.positions[triangle.y], &c = mesh.positions[triangle.z];
+  return a != b && b != c && c != a;
+}
+
+/// Which vertices of `mesh` are corners of triangles that count.
+std::vector<bool> used_vertices(const Mesh& mesh, Counted counted) {
   std::vector<bool> used(mesh.positions.size());
   for (const glm::uvec3& triangle : mesh.triangles) {
-    if (!has_area(mesh, triangle)) continue;
+    if (!counts(mesh, triangle, counted)) continue;
     for (int c = 0; c < 3; ++c) used[triangle[c]] = true;
   }
   return used;
 }
 
-/// The vertices of `mesh` that are corners of triangles.
-std::vector<glm::vec3> used_positions(const Mesh& mesh) {
-  const std::vector<bool> used = used_vertices(mesh);
+/// The vertices of `mesh` that are corners of triangles that count.
+std::vector<glm::vec3> used_positions(const Mesh& mesh, Counted counted) {
+  const std::vector<bool> used = used_vertices(mesh, counted);
   std::vector<glm::vec3> positions;
   for (std::size_t i = 0; i < used.size(); ++i) {
     if (used[i]) positions.push_back(mesh.positions[i]);
@@ -94,7 +103,7 @@ std::vector<glm::vec3> box_corners(const std::vector<glm::vec3>& points) {
 
 /// Points of each mesh that stand for it wherever it is placed: its vertices, or where all instances have very many of
 /// them together, the corners of the box around them.
-std::vector<std::vector<glm::vec3>> outlines(const Scene& scene) {
+std::vector<std::vector<glm::vec3>> outlines(const Scene& scene, Counted counted) {
   std::vector<std::size_t> instances(scene.meshes.size());
   std::size_t visits = 0;
   for (const Instance& instance : scene.instances) {
@@ -104,7 +113,7 @@ std::vector<std::vector<glm::vec3>> outlines(const Scene& scene) {
   std::vector<std::vector<glm::vec3>> points(scene.meshes.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     if (instances[i] == 0) continue;
-    points[i] = used_positions(scene.meshes[i]);
+    points[i] = used_positions(scene.meshes[i], counted);
     if (visits > kMostVisits && instances[i] > 1) points[i] = box_corners(points[i]);
   }
   return points;
@@ -112,8 +121,8 @@ std::vector<std::vector<glm::vec3>> outlines(const Scene& scene) {
 
 /// The points of every instance's outline in the world.
 template <typename Visit>
-void for_each_vertex(const Scene& scene, const Visit& visit) {
-  const std::vector<std::vector<glm::vec3>> points = outlines(scene);
+void for_each_vertex(const Scene& scene, Counted counted, const Visit& visit) {
+  const std::vector<std::vector<glm::vec3>> points = outlines(scene, counted);
   for (const Instance& instance : scene.instances) {
     for (const glm::vec3& point : points[instance.mesh]) {
       visit(glm::dvec3(instance.world_from_object * glm::dvec4(point, 1.0)));
@@ -152,8 +161,10 @@ double centered_eye(std::span<const glm::dvec3> points, int axis, double back) {
 
 /// Sees all `points` from the side `z`, which is not vertical.
 Camera fitted_camera(std::vector<glm::dvec3> points, const WorldBounds& box, const glm::dvec3& z, double vertical_fov,
-                     double aspect) {
-  const glm::dvec3 x = glm::normalize(glm::cross(glm::dvec3(0, 1, 0), z));
+                     double aspect, const glm::dvec3& up) {
+  const glm::dvec3 right = glm::cross(up, z);
+  const bool is_along = glm::dot(right, right) == 0.0;
+  const glm::dvec3 x = glm::normalize(is_along ? glm::cross(glm::dvec3(0, 1, 0), z) : right);
   const glm::dvec3 y = glm::cross(z, x);
   // About the middle, so that far points lose no digits.
   const glm::dvec3 middle = 0.5 * box.lo + 0.5 * box.hi;
@@ -171,33 +182,41 @@ Camera fitted_camera(std::vector<glm::dvec3> points, const WorldBounds& box, con
   return camera;
 }
 
-}  // namespace
-
-WorldBounds world_bounds(const Scene& scene) {
+WorldBounds bounds_of(const Scene& scene, Counted counted) {
   WorldBounds bounds{glm::dvec3(std::numeric_limits<double>::infinity()),
                      glm::dvec3(-std::numeric_limits<double>::infinity())};
-  for_each_vertex(scene, [&](const glm::dvec3& place) {
+  for_each_vertex(scene, counted, [&](const glm::dvec3& place) {
     bounds.lo = glm::min(bounds.lo, place);
     bounds.hi = glm::max(bounds.hi, place);
   });
   return bounds;
 }
 
-Camera frame_camera(const WorldBounds& bounds, double vertical_fov, double aspect) {
-  const WorldBounds box = with_extent(bounds);
-  return fitted_camera(corners_of(box), box, view_side(box), vertical_fov, aspect);
+}  // namespace
+
+WorldBounds world_bounds(const Scene& scene) {
+  return bounds_of(scene, Counted::traced);
 }
 
-Camera frame_scene(const Scene& scene, double vertical_fov, double aspect) {
-  const WorldBounds bounds = world_bounds(scene);
+WorldBounds seen_bounds(const Scene& scene) {
+  return bounds_of(scene, Counted::seen);
+}
+
+Camera frame_camera(const WorldBounds& bounds, double vertical_fov, double aspect) {
+  const WorldBounds box = with_extent(bounds);
+  return fitted_camera(corners_of(box), box, view_side(box), vertical_fov, aspect, glm::dvec3(0, 1, 0));
+}
+
+Camera frame_scene(const Scene& scene, double vertical_fov, double aspect, const glm::dvec3& up) {
+  const WorldBounds bounds = seen_bounds(scene);
   const WorldBounds box = with_extent(bounds);
   std::vector<glm::dvec3> points;
   if (bounds.lo == box.lo && bounds.hi == box.hi) {
-    for_each_vertex(scene, [&](const glm::dvec3& place) { points.push_back(place); });
+    for_each_vertex(scene, Counted::seen, [&](const glm::dvec3& place) { points.push_back(place); });
   } else {
     points = corners_of(box);
   }
-  return fitted_camera(std::move(points), box, choose_view_side(scene, box, view_side(box)), vertical_fov, aspect);
+  return fitted_camera(std::move(points), box, choose_view_side(scene, box, view_side(box)), vertical_fov, aspect, up);
 }
 
 }  // namespace vernier

@@ -6,16 +6,20 @@
 
 namespace vernier {
 
-/// World-space box around all triangles of all instances, in double. Zero-area triangles count too.
+/// World-space box around triangles of all instances, in double.
 struct WorldBounds {
   glm::dvec3 lo;
   glm::dvec3 hi;
 };
 
-/// The bounds of `scene`, which has passed validate_scene. Dropped triangles (all indices 0) do not count; where
-/// nothing is left lo is +infinity and hi -infinity. Where instances have more than 2^22 vertices together, those of a
-/// mesh that is placed twice and more are bounded by its box. O(triangles of the meshes + instances).
+/// The bounds of `scene`, which has passed validate_scene. Triangles with two equal corners do not count, nor
+/// do dropped ones; those whose corners lie in a line do, since rounding may give them area once they are transformed.
+/// Where nothing is left lo is +infinity and hi -infinity. Where instances have more than 2^22 vertices together, those
+/// of a mesh that is placed twice and more are bounded by its box. O(triangles of the meshes + instances).
 WorldBounds world_bounds(const Scene& scene);
+
+/// The same without triangles that are lines: what there is to see.
+WorldBounds seen_bounds(const Scene& scene);
 
 /// A camera at three quarters (from +X +Y +Z) with `vertical_fov` that sees all of `bounds` in an image of
 /// `aspect` = width / height: the nearest eye whose picture the box fills, but for a margin of 5 %, in width or height;
@@ -25,7 +29,8 @@ Camera frame_camera(const WorldBounds& bounds, double vertical_fov, double aspec
 
 /// The same for the vertices of all triangles of `scene`, which has passed validate_scene, but a room that would be
 /// seen from outside is seen through the side where it is open (choose_view_side).
-Camera frame_scene(const Scene& scene, double vertical_fov, double aspect);
+/// `up` is up in the picture; what lies along the line of sight counts as (0, 1, 0).
+Camera frame_scene(const Scene& scene, double vertical_fov, double aspect, const glm::dvec3& up = {0.0, 1.0, 0.0});
 
 /// The lights of add_default_lighting for a scene that brings none, seen through `camera`: always as many.
 std::vector<Light> default_lights(const Camera& camera);

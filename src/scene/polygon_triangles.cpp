@@ -1,6 +1,7 @@
 #include "scene/polygon_triangles.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vernier {
 namespace {
@@ -61,6 +62,8 @@ class EarClipper {
       if (is_spike(i)) spikes_.push_back(i);
     }
     reflex_count_ = reflex_.size();
+    // A bend that is no number is neither an ear nor none.
+    if (!std::ranges::all_of(flat_, [](const glm::dvec2& p) { return std::isfinite(p.x + p.y); })) budget_ = 0;
   }
 
   bool convex() const { return reflex_.empty(); }
@@ -117,7 +120,10 @@ class EarClipper {
     const glm::dvec2 a = flat_[previous_[corner]];
     const glm::dvec2 b = flat_[corner];
     const glm::dvec2 c = flat_[next_[corner]];
-    if (!(bend > 0.0 || (straight_allowed && bend == 0.0))) return false;
+    if (!(bend > 0.0 || (straight_allowed && bend == 0.0))) {
+      budget_ -= std::min<std::size_t>(budget_, 1);
+      return false;
+    }
     budget_ -= std::min(budget_, reflex_.size());
     // Where any corner lies inside, a reflex one does.
     for (const std::uint32_t i : reflex_) {

@@ -113,13 +113,16 @@ TEST(WorldBounds, InstancesAndUsedVerticesOnly) {
   EXPECT_EQ(bounds.hi, glm::dvec3(1e6 + 2, 1, 3));
 }
 
-TEST(WorldBounds, TrianglesWithoutAreaDoNotCount) {
+TEST(WorldBounds, TrianglesThatAreLinesCountAsTracedAndNotAsSeen) {
   Scene scene = two_placed_triangles();
   Mesh& mesh = scene.meshes[0];
   const auto last = static_cast<std::uint32_t>(mesh.positions.size());
   mesh.positions.insert(mesh.positions.end(), {{1e3f, 0, 0}, {2e3f, 0, 0}, {3e3f, 0, 0}});
   mesh.triangles.push_back({last, last, last});
   mesh.triangles.push_back({last, last + 1, last + 2});
+  EXPECT_EQ(seen_bounds(scene).hi, glm::dvec3(1e6 + 2, 1, 3));
+  EXPECT_EQ(world_bounds(scene).hi, glm::dvec3(1e6 + 6e3, 1, 3));
+  mesh.triangles.back() = {last, last + 1, last + 1};
   EXPECT_EQ(world_bounds(scene).hi, glm::dvec3(1e6 + 2, 1, 3));
 }
 
