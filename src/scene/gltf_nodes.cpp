@@ -123,13 +123,12 @@ std::vector<glm::dmat4> gltf_node_instances(const GltfDocument& document, int no
   const tinygltf::Value& attributes = extension->Get("attributes");
   const std::string place = "node " + std::to_string(node) + ", EXT_mesh_gpu_instancing";
   std::size_t count = 0;
-  // Those of others count too (the extension's README: all are optional).
+  // Those of others count too (the extension's README: all are optional). Reading checks their counts against the file.
   for (const std::string& name : attributes.Keys())
-    instancing_accessor(document, attributes, name.c_str(), place, count);
+    read_gltf_elements(document, instancing_accessor(document, attributes, name.c_str(), place, count), place);
   const int translation = instancing_accessor(document, attributes, "TRANSLATION", place, count);
   const int rotation = instancing_accessor(document, attributes, "ROTATION", place, count);
   const int scale = instancing_accessor(document, attributes, "SCALE", place, count);
-  // What is there first: reading checks the count against the file.
   std::vector<glm::vec3> translations, scales;
   std::vector<glm::vec4> rotations;
   if (translation >= 0) translations = read_gltf_vectors<3>(document, translation, place);

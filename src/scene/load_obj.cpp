@@ -25,25 +25,33 @@ std::size_t choose_part_count(std::size_t bytes) {
   return std::clamp<std::size_t>(bytes / kLeastPartBytes, 1, resolve_thread_count(0));
 }
 
+using MaterialIndex = std::map<std::string, std::uint32_t>;
+
+/// `index_by_name` by names without comments; of several the first by name.
+MaterialIndex without_comments(const MaterialIndex& index_by_name) {
+  MaterialIndex bare;
+  for (const auto& [name, index] : index_by_name) bare.try_emplace(std::string(without_comment(name)), index);
+  return bare;
+}
+
 /// The material `name`; of names that are in no library that of the same but for comments behind either.
-std::optional<std::uint32_t> find_material(const std::map<std::string, std::uint32_t>& index_by_name,
+std::optional<std::uint32_t> find_material(const MaterialIndex& index_by_name, const MaterialIndex& bare,
                                            const std::string& name) {
   const auto found = index_by_name.find(name);
   if (found != index_by_name.end()) return found->second;
-  const auto same = [bare = without_comment(name)](const auto& entry) { return without_comment(entry.first) == bare; };
-  const auto alike = std::ranges::find_if(index_by_name, same);
-  return alike == index_by_name.end() ? std::nullopt : std::optional(alike->second);
+  const auto alike = bare.find(std::string(without_comment(name)));
+  return alike == bare.end() ? std::nullopt : std::optional(alike->second);
 }
 
-MaterialChoice choose_materials(Scene& scene, const ObjGeometry& geometry,
-                                const std::map<std::string, std::uint32_t>& index_by_name) {
+MaterialChoice choose_materials(Scene& scene, const ObjGeometry& geometry, const MaterialIndex& index_by_name) {
+  const MaterialIndex bare = without_comments(index_by_name);
   MaterialChoice choice;
   choice.none = static_cast<std::uint32_t>(scene.materials.size());
   scene.materials.push_back(default_obj_material());
   std::size_t unknown_count = 0;
   std::string first_unknown;
   for (const std::string& name : geometry.material_names) {
-    const std::optional<std::uint32_t> found = find_material(index_by_name, name);
+    const std::optional<std::uint32_t> found = find_material(index_by_name, bare, name);
     choice.by_name.push_back(found.value_or(choice.none));
     if (!found && unknown_count++ == 0) first_unknown = name;
   }

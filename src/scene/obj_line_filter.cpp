@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <charconv>
+#include <limits>
 #include <utility>
 
 #include "error.h"
@@ -115,7 +117,8 @@ void ObjLineFilter::write(std::string_view text) {
     std::size_t& first = keyword == "s" ? statements_.first_smoothing_face : statements_.first_group_face;
     first = std::min(first, statements_.face_lines.size());
     // Exporters write `s on` for group 1. A NUL would end the line early.
-    out_.append(keyword).append(" ").append(keyword == "s" && rest == "on" ? "1" : rest);
+    const bool is_on = keyword == "s" && without_comment(rest) == "on";
+    out_.append(keyword).append(" ").append(is_on ? "1" : rest);
     std::ranges::replace(out_, '\0', '?');
     out_ += '\n';
   } else if (keyword == "l" || keyword == "p") {
@@ -136,6 +139,8 @@ void ObjLineFilter::write_vertex(std::string_view text, std::string_view keyword
     out_.append(" ").append(plain ? word : kInfinity);
     ++count;
   }
+  uv_count_ += keyword == "vt" ? 1 : 0;
+  normal_count_ += keyword == "vn" ? 1 : 0;
   if (count < least) refuse(printable(text) + " has fewer than " + std::to_string(least) + " numbers");
   out_ += '\n';
 }
@@ -148,7 +153,10 @@ void ObjLineFilter::write_face(std::string_view rest) {
     const std::string_view corner = face_corner(word);
     if (corner.empty()) refuse(printable(word) + " is not a corner of a face");
     out_.append(" ").append(corner);
-    statements_.counts_back |= corner.find('-') != std::string_view::npos;
+    if (corner.find('-') != std::string_view::npos) {
+      statements_.counts_back = true;
+      check_counted_back(corner);
+    }
     has_zero |= has_index_zero(corner);
     ++count;
   }
@@ -162,6 +170,19 @@ void ObjLineFilter::write_face(std::string_view rest) {
   if (has_zero) refuse("index 0 does not exist, indices count from 1 or back from -1");
   statements_.face_lines.push_back(static_cast<std::uint32_t>(line()));
   statements_.face_corner_counts.push_back(count);
+}
+
+// tinyobjloader takes what lies one before the first for none.
+void ObjLineFilter::check_counted_back(std::string_view corner) const {
+  const std::array<std::size_t, 3> counts = {std::numeric_limits<std::size_t>::max(), uv_count_, normal_count_};
+  std::size_t slot = 0;
+  for (std::size_t i = 0; i < corner.size(); ++i) {
+    if (corner[i] == '/') ++slot;
+    if (corner[i] != '-') continue;
+    std::size_t back = 0;
+    std::from_chars(corner.data() + i + 1, corner.data() + corner.size(), back);
+    if (back > counts[slot]) refuse(printable(corner) + " counts back before the first of the file");
+  }
 }
 
 void ObjLineFilter::write_material(std::string_view name) {

@@ -62,6 +62,7 @@ class ObjLineFilter : public std::streambuf {
   void write(std::string_view text);
   void write_vertex(std::string_view text, std::string_view keyword, std::string_view rest);
   void write_face(std::string_view rest);
+  void check_counted_back(std::string_view corner) const;
   void write_material(std::string_view name);
   void keep_libraries(std::string_view rest);
   void keep_unknown(std::string_view keyword);
@@ -71,6 +72,7 @@ class ObjLineFilter : public std::streambuf {
   LogicalLines lines_;
   bool ended_ = false;
   std::string out_;
+  std::size_t uv_count_ = 0, normal_count_ = 0;  // so far
   std::map<std::string, std::size_t, std::less<>> material_ids_;
   ObjStatements statements_;
 };

@@ -170,9 +170,10 @@ std::map<std::string, std::uint32_t> load_obj_materials(LoadingScene& loading, c
                                                         const LoadOptions& options) {
   std::map<std::string, std::uint32_t> index_by_name;
   Scene& scene = loading.scene;
-  ObjTextures textures{loading.images, folder_of(obj_path), {}};
+  ObjTextures textures{loading.images, folder_of(obj_path), options.strict};
   for (std::string name : libraries) {
     std::ranges::replace(name, '\\', '/');
+    if (name.size() > 2 && name.starts_with('"') && name.ends_with('"')) name = name.substr(1, name.size() - 2);
     const std::string named = name.starts_with('/') ? name : textures.obj_folder + name;
     std::string path;
     const std::string beside = textures.obj_folder + name.substr(name.find_last_of('/') + 1);
@@ -181,8 +182,8 @@ std::map<std::string, std::uint32_t> load_obj_materials(LoadingScene& loading, c
       if (path.empty()) path = find_file(beside, any_case);
     }
     if (path.empty()) {
-      scene.warnings.push_back(obj_path + ": material library " + printable(name) +
-                               " is not there; its materials are grey");
+      warn_unsupported(scene, options,
+                       obj_path + ": material library " + printable(name) + " is not there; its materials are grey");
       continue;
     }
     const MtlLibrary library = parse_mtl(read_text(path));

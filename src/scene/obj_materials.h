@@ -22,8 +22,8 @@ namespace vernier {
 Material blinn_material(const MtlMaterial& source, const std::string& place, std::vector<std::string>& warnings);
 
 /// Reads the MTL files `libraries` (as written in mtllib, relative to the OBJ at `obj_path`) into the materials of
-/// `loading`, with their textures. Returns the index by name; of two with one name the first counts. A missing file is
-/// a warning. Unsupported statements are warnings, or with options.strict an Error(refused).
+/// `loading`, with their textures. Returns the index by name; of two with one name the first counts. Missing
+/// files and unsupported statements are warnings, or with options.strict an Error(refused).
 std::map<std::string, std::uint32_t> load_obj_materials(LoadingScene& loading, const std::string& obj_path,
                                                         const std::vector<std::string>& libraries,
                                                         const LoadOptions& options);

@@ -92,7 +92,7 @@ class MeshBuilder {
     }
     if (geometry_.colors.empty()) return;
     glm::vec4 color(1.0f);
-    for (int c = 0; c < 3; ++c) color[c] = float(linear_from_srgb(geometry_.colors[position][c]));
+    for (int c = 0; c < 3; ++c) color[c] = float(linear_from_srgb(std::max(geometry_.colors[position][c], 0.0)));
     mesh_.colors.push_back(color);
   }
 
@@ -117,13 +117,18 @@ bool is_finite(const glm::dvec3& p) {
 
 }  // namespace
 
-glm::dvec3 object_origin(const std::vector<glm::dvec3>& positions) {
+glm::dvec3 object_origin(const ObjGeometry& geometry) {
   glm::dvec3 lo(std::numeric_limits<double>::infinity());
   glm::dvec3 hi(-lo);
-  for (const glm::dvec3& p : positions) {
-    if (!is_finite(p)) continue;
-    lo = glm::min(lo, p);
-    hi = glm::max(hi, p);
+  for (const ObjShape& shape : geometry.shapes) {
+    for (const ObjTriangle& triangle : shape.triangles) {
+      for (const ObjCorner& corner : triangle.corners) {
+        const glm::dvec3& p = geometry.positions[static_cast<std::size_t>(corner.position)];
+        if (!is_finite(p)) continue;
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+      }
+    }
   }
   glm::dvec3 origin(0.0);
   const glm::dvec3 size = hi - lo;
@@ -140,7 +145,7 @@ glm::dvec3 object_origin(const std::vector<glm::dvec3>& positions) {
 
 void add_obj_meshes(Scene& scene, const ObjGeometry& geometry, const std::vector<std::uint32_t>& material_of_name,
                     std::uint32_t no_material) {
-  const glm::dvec3 origin = object_origin(geometry.positions);
+  const glm::dvec3 origin = object_origin(geometry);
   const SmoothNormals smooth = smooth_normals(geometry);
   MeshBuilder builder(geometry, smooth, origin);
   for (const ObjShape& shape : geometry.shapes) {

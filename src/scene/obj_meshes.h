@@ -9,10 +9,10 @@
 namespace vernier {
 
 /// The origin that all meshes of the file are moved to, so that float positions stay fine in survey coordinates: on
-/// each axis a multiple of a power of two near the middle of the vertices where that is further than 8 extents away,
-/// else 0. One for the whole file, because vertices that meshes share must stay equal after rounding. Non-finite
+/// each axis a multiple of a power of two near the middle of the faces' vertices where that is further than 8 extents
+/// away, else 0. One for the whole file, because vertices that meshes share must stay equal after rounding. Non-finite
 /// positions count for nothing.
-glm::dvec3 object_origin(const std::vector<glm::dvec3>& positions);
+glm::dvec3 object_origin(const ObjGeometry& geometry);
 
 /// Adds a mesh and an instance of its name for each shape. Positions are those of the file less object_origin, rounded
 /// once; v is turned downwards; vertex colours are taken as sRGB, as exporters write them. Corners without a

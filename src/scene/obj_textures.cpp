@@ -66,13 +66,14 @@ std::string key_of(const std::string& path, const MtlTexture& map, MtlMapUse use
   return key;
 }
 
-int add_texture(Scene& scene, PendingImages& images, const std::string& path, const MtlTexture& map, MtlMapUse use,
-                Decoding decoding) {
+int add_texture(Scene& scene, const ObjTextures& textures, const std::string& path, const MtlTexture& map,
+                MtlMapUse use, Decoding decoding) {
   const std::uint32_t wrap = map.clamp ? TEXTURE_WRAP_CLAMP : TEXTURE_WRAP_REPEAT;
   ImageJob job;
   job.decode = [=] { return load_texels(path, map, use, wrap); };
   job.file = path;
-  job.after_fault = "; the material goes without this texture";
+  job.after_fault = textures.strict ? "" : "; the material goes without this texture";
+  job.needed = textures.strict;
   std::shared_ptr<const Texels> texels;
   try {
     check_image_file(path);
@@ -80,14 +81,14 @@ int add_texture(Scene& scene, PendingImages& images, const std::string& path, co
   } catch (const MemoryError&) {
     throw;
   } catch (const Error& error) {
-    if (error.kind() != ErrorKind::refused) throw;  // not the image's fault
+    if (error.kind() != ErrorKind::refused || textures.strict) throw;  // else not the image's fault
     scene.warnings.push_back(error.what() + job.after_fault);
     return -1;
   }
   if (texels != nullptr) {
     note_file(scene.files, path);
   } else {
-    texels = images.add(std::move(job));
+    texels = textures.images.add(std::move(job));
   }
   scene.textures.push_back({map.file, {wrap, wrap, TEXTURE_FILTER_LINEAR}, std::move(texels)});
   return static_cast<int>(scene.textures.size()) - 1;
@@ -101,7 +102,7 @@ TextureUse use_obj_texture(Scene& scene, ObjTextures& textures, const MtlTexture
   if (map.file.empty()) return result;
   const std::string path = image_path(textures, map, mtl_folder);
   const auto [known, is_new] = textures.texture_by_key.try_emplace(key_of(path, map, use), -1);
-  if (is_new) known->second = add_texture(scene, textures.images, path, map, use, decoding);
+  if (is_new) known->second = add_texture(scene, textures, path, map, use, decoding);
   result.texture = known->second;
   // With V = 1 - v: v' = 1 - (V scale + offset).
   result.uv_from_vertex_uv = glm::mat3x2(float(map.scale.x), 0.0f, 0.0f, float(map.scale.y), float(map.offset.x),

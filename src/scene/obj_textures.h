@@ -25,7 +25,8 @@ enum class Decoding { later, at_once };
 struct ObjTextures {
   PendingImages& images;   ///< decode them
   std::string obj_folder;  ///< folder of the OBJ file, empty or with a slash at its end
-  std::map<std::string, int> texture_by_key;
+  bool strict = false;     ///< an image that is missing or broken is an Error(refused)
+  std::map<std::string, int> texture_by_key = {};
 };
 
 /// Adds the texture of `map` to `scene`, or finds it again, and says how it is looked up: uv' = uv scale + offset in
@@ -33,7 +34,7 @@ struct ObjTextures {
 /// The file is sought in `mtl_folder`, then in the folder of the OBJ, then by its bare name in both: models travel with
 /// paths of the machine they were made on. Backslashes are slashes.
 /// A missing image is a warning of `scene` and no texture (-1), told once, and so is a broken one that is decoded at
-/// once; of others `images` tells. No map: no texture.
+/// once; of others `images` tells. Where `textures` are strict both throw Error(refused). No map: no texture.
 TextureUse use_obj_texture(Scene& scene, ObjTextures& textures, const MtlTexture& map, MtlMapUse use,
                            const std::string& mtl_folder, Decoding decoding = Decoding::later);
 

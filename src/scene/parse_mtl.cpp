@@ -102,12 +102,13 @@ class MtlParser {
     }
     const std::optional<double> r = finite(keyword, take_word(rest));
     if (!r) return;
-    const std::optional<double> g = number(take_word(rest));
-    const std::optional<double> b = number(take_word(rest));
-    const glm::dvec3 value(*r, g.value_or(*r), b.value_or(g.value_or(*r)));
-    if (!std::isfinite(value.g + value.b)) {
-      fault(std::string(keyword) + " is not finite");
-      return;
+    glm::dvec3 value(*r);  // one number is a grey
+    for (const int channel : {1, 2}) {
+      const std::string_view word = take_word(rest);
+      if (word.empty() || word[0] == '#') break;
+      const std::optional<double> given = finite(keyword, word);
+      if (!given) return;
+      for (int c = channel; c < 3; ++c) value[c] = *given;
     }
     color = glm::max(value, glm::dvec3(0.0));
   }
@@ -158,8 +159,9 @@ class MtlParser {
     } else if (name == "-imfchan") {
       map.channel = words.empty() ? '\0' : words[0][0];
     } else if (name == "-t" || name == "-mm" || name == "-cc" || name == "-type") {
-      const bool neutral = name == "-mm" ? value(0, 0.0) == 0.0 && value(1, 1.0) == 1.0
-                                         : name == "-t" && value(0, 0.0) == 0.0 && value(1, 0.0) == 0.0;
+      const bool neutral = name == "-mm"   ? value(0, 0.0) == 0.0 && value(1, 1.0) == 1.0
+                           : name == "-cc" ? !words.empty() && words[0] == "off"
+                                           : name == "-t" && value(0, 0.0) == 0.0 && value(1, 0.0) == 0.0;
       if (!neutral) unsupported(std::string(keyword) + " " + std::string(name));
     }
   }

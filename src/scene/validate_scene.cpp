@@ -15,7 +15,10 @@ void validate_scene(Scene& scene) {
   drop_cameras(scene, faults);
   repair_materials(scene, faults);
   faults.append_to(scene.warnings);
-  if (!has_triangles(scene)) throw Error(ErrorKind::refused, scene.source + ": nothing to render, no triangle is left");
+  if (has_triangles(scene)) return;
+  const std::string reason = faults.first_fault();
+  throw Error(ErrorKind::refused,
+              scene.source + ": nothing to render, no triangle is left" + (reason.empty() ? "" : "; " + reason));
 }
 
 }  // namespace vernier

@@ -108,6 +108,16 @@ class InputTest(ProgramTest):
         self.assertIn("warning: ", self.check_done("explain", "odd.gltf", "--no-costs").stderr)
         self.check_error(REFUSED, "EXT_not_there", "explain", "odd.gltf", "--strict")
 
+    def test_strict_refuses_what_an_obj_file_lacks(self):
+        self.write("a.obj", "mtllib a.mtl\nusemtl a\n" + TRIANGLE_OBJ)
+        self.assertIn("a.mtl", self.check_done("explain", "a.obj", "--no-costs").stderr)
+        self.check_error(REFUSED, "a.mtl", "explain", "a.obj", "--strict")
+        self.write("a.mtl", "newmtl a\nmap_Kd none.png\n")
+        self.assertIn("none.png", self.check_done("explain", "a.obj", "--no-costs").stderr)
+        self.check_error(REFUSED, "none.png", "explain", "a.obj", "--strict")
+        self.write("none.png", "no picture")
+        self.check_error(REFUSED, "none.png", "explain", "a.obj", "--strict")
+
 
 if __name__ == "__main__":
     unittest.main()
