@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "accuracy/error_figures.h"
+#include "error.h"
 #include "image/difference.h"
 #include "render/timed_trace.h"
 
@@ -65,14 +66,18 @@ ConvergedReference render_reference_parts(StagedScene& staged, TimedTrace& trace
   PictureSum sums[2];
   std::uint32_t seed = kFirstSeed;
   do {
-    for (PictureSum& sum : sums) {
+    Image pictures[2];
+    for (Image& picture : pictures) {
       reference.settings.seed = seed--;
       staged.set_settings(reference.settings);
-      trace.trace_anew(reference.settings);
-      sum.add(trace.picture());
-      reference.spp += settings.spp;
+      trace.trace_anew(reference.settings, stop);
+      picture = trace.picture();
     }
-  } while (spent_ms() < budget_ms && reference.spp < kMostSpp && !(stop && stop()));
+    if (stop && stop()) break;
+    for (int half = 0; half < 2; ++half) sums[half].add(pictures[half]);
+    reference.spp += 2 * settings.spp;
+  } while (spent_ms() < budget_ms && reference.spp < kMostSpp);
+  if (reference.spp == 0) throw Error(ErrorKind::failed, "interrupted before the reference was rendered");
   for (int half = 0; half < 2; ++half) reference.halves[half] = sums[half].mean();
   reference.image = mean_image(reference.halves[0], reference.halves[1]);
   // The difference of two halves has 4 times the variance of their mean.

@@ -27,7 +27,8 @@ struct ConvergedReference {
 RenderSettings reference_settings(const RenderSettings& settings);
 
 /// Renders parts of 64 samples, of seeds that no point has, to two halves in turn, for `budget_ms` of wall time, at
-/// least one part each and at most 65536 samples. `stop` ends it after a whole pair of parts.
+/// least one part each and at most 65536 samples. `stop` ends it and drops an unfinished pair of parts;
+/// throws Error(failed) where that is the first.
 ConvergedReference render_reference_parts(StagedScene& staged, TimedTrace& trace, const RenderSettings& settings,
                                           double budget_ms, const std::function<bool()>& stop);
 

@@ -82,9 +82,9 @@ class Bench {
     TimedTrace& trace = trace_of(settings);
     compile_ms_ = ms_since(start);
     staged_.set_settings(settings);
-    trace.trace_anew(settings);
+    trace.trace_anew(settings, setup_.stop);
     pilot_ = trace.picture();
-    return trace.trace_anew(settings).wall_ms / 16.0;
+    return trace.trace_anew(settings, setup_.stop).wall_ms / 16.0;
   }
 
   void make_reference() {
@@ -163,8 +163,9 @@ class Bench {
     settings.seed = seed;
     TimedTrace& trace = trace_of(settings);
     staged_.set_settings(settings);
-    if (result.runs.empty()) trace.trace_anew(settings);  // warms caches up, not counted
-    const TraceTime time = trace.trace_anew(settings);
+    if (result.runs.empty()) trace.trace_anew(settings, setup_.stop);  // warms caches up, not counted
+    const TraceTime time = trace.trace_anew(settings, setup_.stop);
+    if (is_stopped()) return;  // within the run
     const DevelopedFilm developed = trace.developed();
     const Image picture{settings.width, settings.height, 4, developed.color};
     const FlipError map = flip(sweep_.reference.image, picture);

@@ -38,6 +38,12 @@ const Camera& named_camera(const Scene& scene, const std::string& wanted) {
   return scene.cameras[index];
 }
 
+// A unit vector without overflow: view distances may be as large as double allows.
+glm::dvec3 unit(const glm::dvec3& vector) {
+  const double largest = std::fmax(std::fabs(vector.x), std::fmax(std::fabs(vector.y), std::fabs(vector.z)));
+  return largest > 0.0 ? glm::normalize(vector / largest) : glm::dvec3(0.0);
+}
+
 Camera starting_camera(const Scene& scene, const SceneSettings& settings, double aspect) {
   if (!settings.camera.empty()) {
     return named_camera(scene, settings.camera);
@@ -45,13 +51,8 @@ Camera starting_camera(const Scene& scene, const SceneSettings& settings, double
   if (!scene.cameras.empty()) {
     return scene.cameras.front();
   }
-  return frame_scene(scene, settings.vertical_fov.value_or(Camera{}.vertical_fov), aspect);
-}
-
-// A unit vector without overflow: view distances may be as large as double allows.
-glm::dvec3 unit(const glm::dvec3& vector) {
-  const double largest = std::fmax(std::fabs(vector.x), std::fmax(std::fabs(vector.y), std::fabs(vector.z)));
-  return largest > 0.0 ? glm::normalize(vector / largest) : glm::dvec3(0.0);
+  const glm::dvec3 up = settings.up ? unit(*settings.up) : glm::dvec3(0.0, 1.0, 0.0);
+  return frame_scene(scene, settings.vertical_fov.value_or(Camera{}.vertical_fov), aspect, up);
 }
 
 glm::dvec3 up_of(const SceneSettings& settings, const glm::dvec3& forward) {
@@ -72,7 +73,7 @@ void look(Camera& camera, const glm::dvec3& eye, const glm::dvec3& forward, cons
 }
 
 glm::dvec3 middle_of(const Scene& scene) {
-  const WorldBounds bounds = world_bounds(scene);
+  const WorldBounds bounds = seen_bounds(scene);
   return bounds.lo * 0.5 + bounds.hi * 0.5;
 }
 

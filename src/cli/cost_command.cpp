@@ -13,6 +13,7 @@
 #include "cli/diff_report.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
+#include "cli/output_file.h"
 #include "cli/parse_values.h"
 #include "cli/point_command.h"
 #include "cli/progress_bar.h"
@@ -84,6 +85,17 @@ void prepare_folder(const std::string& folder) {
   load_codecs();
 }
 
+/// That nothing that is read is replaced.
+void check_outputs(const CostArguments& arguments, const Scene& scene) {
+  std::vector<std::string> names;
+  for (const char* name : {"cost.json", "cost.csv", "report.html", "images/reference.png"}) {
+    names.push_back(arguments.folder + "/" + name);
+  }
+  std::vector<NamedFile> outputs = {{"--reference", arguments.reference, true}};
+  for (const std::string& name : names) outputs.push_back({"--output", name});
+  check_not_read(outputs, scene.files);
+}
+
 void write_pictures(const std::string& folder, const Sweep& sweep, CostNames& names) {
   names.reference_picture = "images/reference.png";
   write_image(folder + "/" + names.reference_picture, file_of_image(sweep.reference.image), DisplayTransform{});
@@ -109,9 +121,9 @@ bool make_page(const std::string& folder) {
 }
 
 void print_choices(const nlohmann::ordered_json& json) {
-  std::fputs("error at most  ms on the device  cheapest settings\n", stdout);
+  std::fputs("sqrt(relMSE) at most  ms on the device  cheapest settings\n", stdout);
   for (const auto& one : json["recommendations"]) {
-    std::printf("%-13.3g  %16.1f  %s\n", one["error"].get<double>(), one["device_ms"].get<double>(),
+    std::printf("%-20.3g  %16.1f  %s\n", one["error"].get<double>(), one["device_ms"].get<double>(),
                 one["command"].get<std::string>().c_str());
   }
 }
@@ -139,6 +151,7 @@ int run_cost(const CostArguments& arguments) {
   const SceneSetup scene =
       set_up_scene(scene_settings, static_cast<double>(setup.settings.width) / setup.settings.height);
   print_warnings(scene.scene.warnings);
+  check_outputs(arguments, scene.scene);
   CostNames names;
   const Sweep sweep = measure(arguments, setup, scene, names);
   names.scene = arguments.scene.scene;
@@ -194,6 +207,7 @@ void add_cost_command(CLI::App& app, Command& chosen) {
   add_effects_option(command, arguments->render.effects);
   add_bvh_option(command, arguments->render.bvh);
   add_dispatch_options(command, arguments->render);
+  add_traversal_option(command, arguments->render.traversal);
   add_scene_options(command, arguments->scene);
   command
       .add_option("--device", arguments->device, "index or part of the name, see vernier devices (default: the best)")

@@ -6,6 +6,7 @@
 
 #include "cli/commands.h"
 #include "cli/form_report.h"
+#include "cli/interrupt.h"
 #include "cli/json_text.h"
 #include "cli/output_file.h"
 #include "cli/progress_bar.h"
@@ -25,7 +26,8 @@ struct DevicesArguments {
   bool quiet = false;
 };
 
-/// Times the forms of the traversal with the built-in scene and keeps the best for `description`.
+/// Times the forms of the traversal with the built-in scene and keeps the best for `description`. Null where it was
+/// interrupted.
 nlohmann::ordered_json calibrate(const VulkanInstance& instance, const DeviceDescription& description,
                                  const DevicesArguments& arguments) {
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
@@ -34,8 +36,12 @@ nlohmann::ordered_json calibrate(const VulkanInstance& instance, const DeviceDes
   ProgressBar bar(arguments.quiet);
   const WorkClock clock;
   bench.progress = [&](double share) { bar.update(clock.at(share)); };
-  const FormCalibration found = calibrate_forms(device.device(), builtin.scene, builtin.camera, bench);
+  bench.stop = interrupted;
+  const std::optional<FormCalibration> calibration =
+      calibrate_forms(device.device(), builtin.scene, builtin.camera, bench);
   device.store();
+  if (!calibration) return nullptr;
+  const FormCalibration& found = *calibration;
   const std::string file = form_file(description.pipeline_key);
   if (!file.empty()) write_form(file, found.best);
   const std::string picture = std::to_string(bench.width) + "x" + std::to_string(bench.height) + ", " +
@@ -48,6 +54,7 @@ nlohmann::ordered_json calibrate(const VulkanInstance& instance, const DeviceDes
 }
 
 int run_devices(const DevicesArguments& arguments) {
+  catch_interrupt();
   check_json_output(arguments.json_file);
   if (!arguments.device.empty() && !arguments.calibrate) {
     throw Error(ErrorKind::usage, "--device: it says what --calibrate is for, which is not given");
@@ -61,6 +68,7 @@ int run_devices(const DevicesArguments& arguments) {
     json["calibration"] = calibrate(instance, description, arguments);
   }
   write_json(arguments.json_file, json_text(json));
+  if (interrupted()) throw Error(ErrorKind::failed, "interrupted; what was done by then is told");
   const bool any = std::ranges::any_of(reports, [](const DeviceReport& report) { return report.device.usable; });
   return any ? 0 : static_cast<int>(ErrorKind::no_device);
 }

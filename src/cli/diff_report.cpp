@@ -29,6 +29,7 @@ ImageFile flip_map_image(const FlipError& flip) {
 
 std::string diff_table(const DiffReport& report) {
   const Difference& difference = report.difference;
+  if (difference.compared_pixels == 0) return "no pixel is finite in both images\n";
   std::string table = line("RMSE", "%.9g", difference.rmse) + line("relMSE", "%.9g", difference.rel_mse) +
                       line("PSNR", "%.6g dB", difference.psnr_db) + line("max", "%.9g", difference.max_absolute);
   if (difference.max_absolute > 0.0) {
@@ -51,7 +52,7 @@ nlohmann::ordered_json diff_json(const DiffReport& report) {
           {"rmse", difference.rmse},
           {"rel_mse", difference.rel_mse},
           {"psnr_db", difference.psnr_db},
-          {"max", difference.max_absolute},
+          {"max", difference.compared_pixels > 0 ? nlohmann::ordered_json(difference.max_absolute) : nullptr},
           {"max_pixel", {difference.max_x, difference.max_y}},
           {"mean_signed", difference.mean_signed},
           {"flip", {{"mean", report.flip.mean}, {"p99", report.flip.p99}}},

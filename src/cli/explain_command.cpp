@@ -91,6 +91,7 @@ int run_explain(const ExplainArguments& arguments) {
   check_distinct(files);
   const double aspect = static_cast<double>(settings.width) / settings.height;
   const SceneSetup setup = set_up_scene(scene_settings, aspect);
+  check_not_read(files, setup.scene.files);
   print_warnings(setup.scene.warnings);
   Explanation explanation = planned(setup, settings);
   const std::optional<Error> missing = measure_if_possible(setup, arguments, explanation);
@@ -120,6 +121,7 @@ void add_explain_command(CLI::App& app, Command& chosen) {
   add_filter_options(command, arguments->render);
   add_bvh_option(command, arguments->render.bvh);
   add_dispatch_options(command, arguments->render);
+  add_traversal_option(command, arguments->render.traversal);
   add_scene_options(command, arguments->scene);
   command
       .add_option("--device", arguments->device, "index or part of the name, see vernier devices (default: the best)")

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "cli/json_text.h"
+#include "cli/parse_values.h"
 #include "cli/read_recipe.h"
 #include "error.h"
 #include "gpu/vector_width.h"
@@ -39,6 +40,16 @@ std::string text_of(const nlohmann::ordered_json& options, const std::string& na
   return option->is_string() ? option->get<std::string>() : json_line(*option);
 }
 
+/// The same text, or the same number in other words.
+bool is_same(const std::string& text_a, const std::string& text_b) {
+  if (text_a == text_b) return true;
+  try {
+    return parse_number("", text_a) == parse_number("", text_b);
+  } catch (const Error&) {
+    return false;
+  }
+}
+
 std::string quoted(const std::string& text) {
   return text.empty() ? "not set" : "`" + text + "`";
 }
@@ -55,7 +66,7 @@ void match_recipes(const std::string& name_a, const Metadata& a, const std::stri
                    const std::set<std::string>& free_options) {
   for (const Field& field : kFields) {
     const std::string text_a = value_of(a, field.name), text_b = value_of(b, field.name);
-    if (text_a != text_b) refuse(name_a, name_b, field.meaning, text_a, text_b, field.hint);
+    if (!is_same(text_a, text_b)) refuse(name_a, name_b, field.meaning, text_a, text_b, field.hint);
   }
   const nlohmann::ordered_json options_a = read_options(name_a, a), options_b = read_options(name_b, b);
   nlohmann::ordered_json all = options_a;
@@ -63,7 +74,7 @@ void match_recipes(const std::string& name_a, const Metadata& a, const std::stri
   for (const auto& [name, unused] : all.items()) {
     if (free_options.contains(name)) continue;
     const std::string text_a = text_of(options_a, name), text_b = text_of(options_b, name);
-    if (text_a != text_b) refuse(name_a, name_b, "--" + name, text_a, text_b, "");
+    if (!is_same(text_a, text_b)) refuse(name_a, name_b, "--" + name, text_a, text_b, "");
   }
 }
 

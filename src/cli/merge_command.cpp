@@ -34,6 +34,9 @@ ImagePart read_part(const std::string& file) {
   const RenderCommandArguments recipe = read_recipe(file, part.image.metadata);
   check_not_stopped(file, part.image.metadata);
   const RenderSettings settings = parse_render_settings(recipe.render);
+  if (settings.error_target) {
+    throw Error(ErrorKind::refused, file + ": rendered with --error-target, it is no part of a larger image");
+  }
   part.sample_begin = settings.sample_begin;
   part.sample_end = settings.sample_end;
   return part;
@@ -71,8 +74,8 @@ int run_merge(const MergeArguments& arguments) {
   if (!legend.empty()) image.metadata["vernier:cost_legend"] = legend;
   write_image(arguments.output, image, {parse_exposure(recipe.exposure)});
   if (arguments.quiet) return 0;
-  std::fprintf(stderr, "%s: %dx%d, %u samples, of %zu parts\n", arguments.output.c_str(), image.width, image.height,
-               settings.spp, parts.size());
+  std::fprintf(stderr, "%s: %dx%d, %u samples, of %zu %s\n", arguments.output.c_str(), image.width, image.height,
+               settings.spp, parts.size(), parts.size() == 1 ? "part" : "parts");
   return 0;
 }
 

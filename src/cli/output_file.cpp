@@ -68,6 +68,13 @@ void check_distinct(std::span<const NamedFile> files) {
   }
 }
 
+void check_not_read(std::span<const NamedFile> outputs, const std::vector<std::string>& scene_files) {
+  std::vector<NamedFile> files;
+  for (const std::string& file : scene_files) files.push_back({"a file of the scene", file, true});
+  files.insert(files.end(), outputs.begin(), outputs.end());
+  check_distinct(files);
+}
+
 void print_result(const std::string& json_file, const std::string& text) {
   if (json_file == kStandardOutput) return;
   std::fputs(text.c_str(), stdout);

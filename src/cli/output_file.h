@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <vector>
 
 namespace vernier {
 
@@ -25,6 +26,9 @@ struct NamedFile {
 
 /// Throws Error(usage) where two of `files` are the same, links followed, and not both read: one would be lost.
 void check_distinct(std::span<const NamedFile> files);
+
+/// The same for what is written, `outputs`, and the files that a scene was read from.
+void check_not_read(std::span<const NamedFile> outputs, const std::vector<std::string>& scene_files);
 
 /// What is told on standard output, `text`: left out where `json_file`, which --json names, is `-` and has it.
 void print_result(const std::string& json_file, const std::string& text);

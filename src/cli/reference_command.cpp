@@ -14,6 +14,7 @@
 #include "cli/warnings.h"
 #include "error.h"
 #include "image/codec_module.h"
+#include "image/file_format.h"
 #include "image/write_image.h"
 #include "reference/render_reference.h"
 #include "reference/traced_scene.h"
@@ -70,13 +71,14 @@ int run_reference(const ReferenceArguments& arguments) {
                                         {"--output", arguments.output}};
   check_distinct(files);
   SceneSetup setup = set_up_scene(scene_settings, static_cast<double>(settings.width) / settings.height);
+  check_not_read(files, setup.scene.files);
   // All instances are copied here, on purpose: nothing of the tracer's is shared.
   check_memory(setup.scene.source, need_of_copies(setup.scene, reference::kTriangleBytes), memory_there());
   load_codecs();  // before the work: without them it could not be written
   set_texture_filters(setup.scene, arguments.render);
   print_warnings(setup.scene.warnings);
   ImageFile image;
-  double done = 0.0;
+  double done = 0.0;  // share of the work
   {
     ProgressBar bar(arguments.quiet);
     const WorkClock clock;
@@ -88,14 +90,16 @@ int run_reference(const ReferenceArguments& arguments) {
     callbacks.cancelled = interrupted;
     image = render_reference(setup.scene, setup.camera, settings, callbacks);
   }
+  if (file_format(arguments.output, ErrorKind::usage) != FileFormat::exr) image.layers.resize(1);  // the colours
   image.metadata.merge(reference_recipe(scene_recipe(arguments.scene, setup.scene.files, arguments.render)));
-  if (interrupted()) image.metadata["vernier:stopped_at"] = std::to_string(std::lround(done * 100.0)) + " %";
+  const bool stopped = interrupted() && done < 1.0;
+  if (stopped) image.metadata["vernier:stopped_at"] = std::to_string(std::lround(done * 100.0)) + " %";
   write_image(arguments.output, image, display);
-  if (!arguments.quiet && !interrupted()) {
+  if (!arguments.quiet && !stopped) {
     std::fprintf(stderr, "%s: %dx%d, %u spp, double precision\n", arguments.output.c_str(), settings.width,
                  settings.height, settings.spp);
   }
-  if (interrupted()) {
+  if (stopped) {
     throw Error(ErrorKind::failed, arguments.output + ": interrupted; it holds what was done by then");
   }
   return 0;

@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 
 #include "cli/commands.h"
@@ -9,7 +10,6 @@
 #include "cli/exposure_hint.h"
 #include "cli/interrupt.h"
 #include "cli/json_text.h"
-#include "cli/output_file.h"
 #include "cli/parse_values.h"
 #include "cli/render_report.h"
 #include "cli/rendered_image.h"
@@ -18,6 +18,7 @@
 #include "image/file_format.h"
 #include "image/read_image.h"
 #include "image/write_image.h"
+#include "render/film_file.h"
 #include "shared/film_layout.h"
 
 namespace vernier {
@@ -52,7 +53,7 @@ void check_outcome(const RenderReport& report, const RenderPlan& plan) {
     throw Error(ErrorKind::failed, plan.output + ": " + non_finite_text(statistics) + "; again by: " +
                                        sample_command(plan, report.device.name, statistics.first_non_finite));
   }
-  if (interrupted()) {
+  if (statistics.stopped && interrupted()) {
     throw Error(ErrorKind::failed,
                 plan.output + ": interrupted; it holds what was done by then" + resume_hint(plan, report.device.name));
   }
@@ -75,22 +76,21 @@ void check_checkpoint_output(const RenderPlan& plan) {
                 "--error-target: not with --checkpoint or --resume, which hold the samples but not where "
                 "more of them pay");
   }
-  check_text_output(plan.checkpoint);
+  std::error_code failure;
+  if (std::filesystem::is_regular_file(plan.checkpoint, failure) && !is_film_file(plan.checkpoint)) {
+    throw Error(ErrorKind::usage, "--checkpoint: " + plan.checkpoint + " is there already and is no checkpoint");
+  }
 }
 
 /// That no output takes the place of another or of what is read.
 void check_files(const RenderPlan& plan) {
-  std::vector<NamedFile> files = {{"SCENE", plan.scene.scene, true},
-                                  {"--background", plan.scene.background_file, true},
-                                  {"--output", plan.output},
-                                  {"--json", plan.json_file}};
-  if (file_format(plan.output, ErrorKind::usage) != FileFormat::exr) {
-    for (const std::string& aov : plan.settings.aovs) files.push_back({"--aov", layer_path(plan.output, aov)});
-  }
-  // One checkpoint may be both.
-  files.push_back({"--checkpoint", plan.checkpoint});
+  std::vector<NamedFile> files = output_files(plan);
+  files.push_back({"SCENE", plan.scene.scene, true});
+  files.push_back({"--background", plan.scene.background_file, true});
   check_distinct(files);
-  files.back() = {"--resume", plan.resume, true};
+  // One checkpoint may be both.
+  if (plan.resume == plan.checkpoint) return;
+  files.push_back({"--resume", plan.resume, true});
   check_distinct(files);
 }
 
@@ -111,6 +111,15 @@ void check_part_size(const PixelRect& area) {
 
 }  // namespace
 
+std::vector<NamedFile> output_files(const RenderPlan& plan) {
+  std::vector<NamedFile> files = {{"--output", plan.output}, {"--checkpoint", plan.checkpoint}};
+  if (plan.json_file != "-") files.push_back({"--json", plan.json_file});
+  if (file_format(plan.output, ErrorKind::usage) != FileFormat::exr) {
+    for (const std::string& aov : plan.settings.aovs) files.push_back({"--aov", layer_path(plan.output, aov)});
+  }
+  return files;
+}
+
 RenderPlan plan_render(const RenderCommandArguments& arguments) {
   RenderPlan plan;
   plan.scene_arguments = arguments.scene;
@@ -130,7 +139,7 @@ RenderPlan plan_render(const RenderCommandArguments& arguments) {
   plan.quiet = arguments.quiet;
   plan.verbose = arguments.verbose;
   check_image_output(plan.output);
-  check_json_output(plan.json_file);
+  for (const NamedFile& file : output_files(plan)) check_text_output(file.path);
   const PixelRect area = image_area(plan.settings);
   check_image_size(plan.output, area.width, area.height);
   check_checkpoint_output(plan);

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
+#include "cli/output_file.h"
 #include "cli/render_options.h"
 #include "cli/scene_options.h"
 #include "image/display_picture.h"
@@ -46,5 +48,8 @@ struct RenderPlan {
 /// Checks everything that can be checked before a scene is read or a device is opened. Throws Error(usage) for texts
 /// that make no sense, Error(failed) where the files could not be written at the end.
 RenderPlan plan_render(const RenderCommandArguments& arguments);
+
+/// The files that `plan` writes, an empty path for those that it does not.
+std::vector<NamedFile> output_files(const RenderPlan& plan);
 
 }  // namespace vernier

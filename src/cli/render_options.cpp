@@ -107,9 +107,8 @@ void add_size_option(CLI::App& app, std::string& size) {
 
 void add_effects_option(CLI::App& app, std::string& effects) {
   app.add_option("--effects", effects,
-                 "auto, all, or a list read from left to right such as auto,-shadows or shadows,reflection (default: "
-                 "auto, what "
-                 "the scene calls for)")
+                 "auto, all, or a list read from left to right such as auto,-shadows or shadows,reflection; one that "
+                 "begins with a minus begins with auto (default: auto, what the scene calls for)")
       ->type_name("LIST");
 }
 
@@ -181,7 +180,6 @@ void add_dispatch_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--dispatch-ms", arguments.dispatch_ms,
                  "time budget of one submission, milliseconds, 1 to 60000 (default: 100)")
       ->type_name("N");
-  add_traversal_option(app, arguments.traversal);
 }
 
 void add_render_options(CLI::App& app, RenderArguments& arguments) {
@@ -201,6 +199,7 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
   app.add_flag("--count-effects", arguments.count_effects, "adds effect_runs and rays_by_depth to --json")->group("");
   add_bvh_option(app, arguments.bvh);
   add_dispatch_options(app, arguments);
+  add_traversal_option(app, arguments.traversal);
   app.add_option("--time-limit", arguments.time_limit,
                  "stop after S seconds of tracing with the samples done by then (default: none)")
       ->type_name("S");

@@ -68,6 +68,17 @@ void add_work(nlohmann::ordered_json& json, const RenderReport& report) {
   json["trace_wall_ms"] = statistics.trace_wall_ms;
 }
 
+std::string sample_text(std::uint32_t samples) {
+  return std::to_string(samples) + (samples == 1 ? " sample" : " samples");
+}
+
+/// With an error target pixels have different numbers.
+std::string mean_text(double samples) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.1f samples on average", samples);
+  return text;
+}
+
 /// Only with --count-effects.
 void add_effect_runs(nlohmann::ordered_json& json, const RenderStatistics& statistics) {
   const EffectRuns& runs = statistics.effect_runs;
@@ -158,9 +169,10 @@ std::string summary_line(const RenderReport& report, const std::string& file) {
   const RenderStatistics& statistics = report.statistics;
   const PixelRect rect = report.settings.crop.value_or(PixelRect{0, 0, report.settings.width, report.settings.height});
   char text[160];
-  std::snprintf(text, sizeof text, ": %dx%d, %u samples, %.3f Mrays in %.2f s, ", rect.width, rect.height,
-                statistics.samples_done, static_cast<double>(total(statistics.rays)) * 1e-6,
-                statistics.trace_wall_ms * 1e-3);
+  const std::string samples =
+      statistics.error ? mean_text(statistics.mean_samples) : sample_text(statistics.samples_done);
+  std::snprintf(text, sizeof text, ": %dx%d, %s, %.3f Mrays in %.2f s, ", rect.width, rect.height, samples.c_str(),
+                static_cast<double>(total(statistics.rays)) * 1e-6, statistics.trace_wall_ms * 1e-3);
   const std::string reached = statistics.error ? ", " + error_text(*statistics.error) : "";
   return file + text + rate_text(rays_per_s(statistics)) + reached;
 }

@@ -170,6 +170,7 @@ RenderedImage render_planned(RenderPlan plan) {
   PackedScene shape = pack_with_progress(loading, plan, description);
   libraries.codecs.get();  // before anything is traced that could not be written
   const SceneSetup setup = finish(std::move(loading));
+  check_not_read(output_files(plan), setup.scene.files);
   print_warnings(setup.scene.warnings);
   if (!resumed) begin_recipe(setup.scene);
   const MemoryNeed memory = need_of(setup.scene, plan.settings);

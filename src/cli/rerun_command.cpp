@@ -49,13 +49,11 @@ class ScratchFolder {
   fs::path path_;
 };
 
-/// `image` as it comes back from a file in `folder` like `file`, which holds `layer` alone where that has a name: what
-/// was rounded there is rounded here.
-ImageFile through_file(const std::string& file, const std::string& layer, const RenderPlan& plan,
-                       const ImageFile& image, const ScratchFolder& folder) {
-  const std::string copy = (folder.path() / ("again" + fs::path(file).extension().string())).string();
-  write_image(copy, image, plan.display);
-  return read_image(layer_path(copy, layer));
+/// `image` as it comes back from the file that `plan` names, or that of `layer` alone where it has a name: what was
+/// rounded in the original is rounded here.
+ImageFile through_file(const RenderPlan& plan, const ImageFile& image, const std::string& layer) {
+  write_image(plan.output, image, plan.display);
+  return read_image(layer_path(plan.output, layer));
 }
 
 /// Tells of what else may be the reason for other bits.
@@ -74,11 +72,11 @@ int run_rerun(const RerunArguments& arguments) {
   RenderCommandArguments recipe = read_recipe(arguments.image, original.metadata);
   check_not_stopped(arguments.image, original.metadata);
   check_scene_files(arguments.image, original.metadata);
-  recipe.output = arguments.image;
+  const ScratchFolder folder;
+  recipe.output = (folder.path() / ("again" + fs::path(arguments.image).extension().string())).string();
   recipe.quiet = arguments.quiet;
   if (!arguments.device.empty()) recipe.device = arguments.device;
   const RenderPlan plan = plan_render(recipe);
-  const ScratchFolder folder;
   catch_interrupt();
   const RenderedImage again = render_planned(plan);
   if (interrupted()) throw Error(ErrorKind::failed, arguments.image + ": interrupted before it was compared");
@@ -86,8 +84,7 @@ int run_rerun(const RerunArguments& arguments) {
 
   const auto layer = original.metadata.find("vernier:layer");
   const std::string layer_name = layer == original.metadata.end() ? "" : layer->second;
-  const std::vector<std::string> lines =
-      layer_differences(original, through_file(arguments.image, layer_name, plan, again.image, folder));
+  const std::vector<std::string> lines = layer_differences(original, through_file(plan, again.image, layer_name));
   if (lines.empty()) {
     std::printf("%s: the same bits again, %dx%d pixels, %zu %s\n", arguments.image.c_str(), original.width,
                 original.height, original.layers.size(), original.layers.size() == 1 ? "layer" : "layers");

@@ -16,11 +16,25 @@ int say(ErrorKind kind, const std::string& line) {
   return static_cast<int>(kind);
 }
 
+/// Refuses values that only a script with an empty variable or a forgotten value can mean.
+void check_values(const CLI::App& command) {
+  for (const CLI::Option* option : command.get_options()) {
+    if (!option->nonpositional()) continue;
+    for (const std::string& value : option->results()) {
+      if (value.empty()) throw Error(ErrorKind::usage, option->get_name() + ": the value is empty");
+      if (value.starts_with("--")) {
+        throw Error(ErrorKind::usage, option->get_name() + ": a value is missing before " + value);
+      }
+    }
+  }
+}
+
 }  // namespace
 
 int run_command_line(CLI::App& app, const Command& chosen, int argc, char** argv) {
   try {
     app.parse(argc, argv);
+    for (const CLI::App* command : app.get_subcommands()) check_values(*command);
     const int code = chosen();
     if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
       throw Error(ErrorKind::failed, "the standard output cannot be written");

@@ -33,7 +33,11 @@ void parse_background(const std::string& text, SceneSettings& settings) {
   if (text.find_first_not_of("0123456789.,+-eE") == std::string::npos) {
     settings.background_color = parse_color("--background", text);
   } else {
-    file_format(text, ErrorKind::refused);
+    try {
+      file_format(text, ErrorKind::refused);
+    } catch (const Error& error) {
+      throw Error(error.kind(), std::string("--background: neither three numbers nor an image: ") + error.what());
+    }
     settings.background_file = text;
   }
 }

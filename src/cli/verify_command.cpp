@@ -12,6 +12,7 @@
 #include "cli/parse_values.h"
 #include "cli/progress_bar.h"
 #include "cli/render_options.h"
+#include "cli/sample_command.h"
 #include "cli/scene_setup.h"
 #include "error.h"
 #include "render/pipeline_file.h"
@@ -118,7 +119,7 @@ bool run_suite(const VerifyArguments& arguments, const CaseSetup& setup, const D
                const std::vector<const VerifyCase*>& cases) {
   std::string again = arguments.level == "robust" ? "" : " --level " + arguments.level;
   if (arguments.traversal != "auto") again += " --traversal " + arguments.traversal;
-  if (!arguments.device.empty()) again += " --device " + arguments.device;
+  if (!arguments.device.empty()) again += " --device " + shell_word(arguments.device);
   bool held = true;
   std::vector<CaseReport> reports;
   Narrator narrator(arguments, cases.size());
@@ -163,6 +164,9 @@ int run_verify(const VerifyArguments& arguments) {
   CaseSetup setup = case_setup(arguments);
   const std::vector<const VerifyCase*> cases = chosen_cases(arguments.case_name);
   const std::vector<Mutation> faults = chosen_mutations(arguments.mutation);
+  if (!faults.empty() && !arguments.case_name.empty()) {
+    throw Error(ErrorKind::usage, "--mutate: not with --case; each fault has its own cases");
+  }
   check_json_output(arguments.json_file);
   const VulkanInstance instance;
   const DeviceDescription description = choose_device(list_devices(instance), arguments.device);

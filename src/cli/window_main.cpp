@@ -15,6 +15,7 @@
 #include "cli/warnings.h"
 #include "error.h"
 #include "gpu/vector_width.h"
+#include "preview/picture_limit.h"
 #include "preview/viewer.h"
 #include "render/memory_need.h"
 #include "render/pack_scene.h"
@@ -69,6 +70,8 @@ std::vector<ScriptEvent> read_script(const std::string& path) {
 
 void view(const ViewArguments& arguments) {
   const ViewSettings settings = parse_view(arguments);
+  const std::string fault = picture_fault({settings.render.width, settings.render.height});
+  if (!fault.empty()) throw Error(ErrorKind::usage, "--size: " + fault);
   const RenderCommandArguments& render = arguments.render;
   catch_interrupt();
   ViewPlan plan;

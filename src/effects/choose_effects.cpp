@@ -71,7 +71,7 @@ EffectSet choose_effects(const EffectSet& detected, const std::string& list) {
   for (EffectReason& verdict : effects.reasons) {
     verdict.reason = "not in --effects";
   }
-  if (list.starts_with("auto")) {
+  if (list.starts_with("auto") || list.starts_with('-')) {
     effects = detected;
   }
   std::istringstream items(list + ",");

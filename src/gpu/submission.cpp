@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <limits>
 
 #include "error.h"
@@ -70,7 +71,7 @@ bool wait(const Device& device, const vk::raii::Fence& fence, double seconds) {
 
 [[noreturn]] void throw_lost(const Device& device, double seconds) {
   throw Error(ErrorKind::device_lost, "device " + device.description().name + ": no answer within " +
-                                          std::to_string(seconds) + " s, taken as lost");
+                                          std::to_string(std::lround(seconds)) + " s, taken as lost");
 }
 
 /// Between the two timestamps, whose upper bits need not count.
@@ -147,6 +148,7 @@ void run_transfer(const Device& device, const std::function<void(const vk::raii:
     const vk::CommandBuffer submitted = *commands;
     device.queue().submit(vk::SubmitInfo(nullptr, nullptr, submitted), *fence);
     if (!wait(device, fence, device.description().is_cpu ? kNoLimit : kTransferTimeoutSeconds)) {
+      wait(device, fence, kGraceSeconds);
       throw_lost(device, kTransferTimeoutSeconds);
     }
   });

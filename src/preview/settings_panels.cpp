@@ -3,6 +3,7 @@
 #include <array>
 
 #include "preview/panels.h"
+#include "preview/picture_limit.h"
 
 namespace vernier {
 namespace {
@@ -13,8 +14,6 @@ constexpr std::array<const char*, DISPLAY_COUNT> kLayers = {"Colour",          "
 constexpr std::array<const char*, 3> kLevels = {"fast", "robust", "exact"};
 constexpr int kMostSamples = 4096;
 constexpr int kMostBounces = 64;
-/// Pixels a window's picture may have: 2^25 are 4.5 GiB of film.
-constexpr std::int64_t kMostPixels = std::int64_t{1} << 25;
 
 /// Two whole numbers; true when Enter or another widget ended the edit.
 bool edit_pair(const char* name, const char* text, PanelState& state, glm::ivec2& pair) {
@@ -27,8 +26,8 @@ bool edit_pair(const char* name, const char* text, PanelState& state, glm::ivec2
 bool edit_size(PanelState& state) {
   if (!edit_pair("Size", "Size", state, state.edited_size)) return false;
   const glm::ivec2 size = glm::max(state.edited_size, glm::ivec2(1));
-  if (std::int64_t{size.x} * size.y > kMostPixels) {
-    state.message = "Size: at most " + grouped(static_cast<std::uint64_t>(kMostPixels)) + " pixels";
+  if (const std::string fault = picture_fault(size); !fault.empty()) {
+    state.message = "Size: " + fault;
     state.edited_size = {state.settings.width, state.settings.height};
     return false;
   }

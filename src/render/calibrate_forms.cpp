@@ -53,8 +53,8 @@ TraversalForm best_of(const FormCalibration& found) {
 
 }  // namespace
 
-FormCalibration calibrate_forms(const Device& device, const Scene& scene, const Camera& camera,
-                                const FormBench& bench) {
+std::optional<FormCalibration> calibrate_forms(const Device& device, const Scene& scene, const Camera& camera,
+                                               const FormBench& bench) {
   RenderSettings settings;
   settings.width = bench.width;
   settings.height = bench.height;
@@ -75,6 +75,7 @@ FormCalibration calibrate_forms(const Device& device, const Scene& scene, const 
   const double steps = static_cast<double>(candidates.size()) * bench.rounds;
   for (int round = 0; round < bench.rounds; ++round) {
     for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (bench.stop && bench.stop()) return std::nullopt;
       if (Candidate* one = candidates[i].get()) {
         const double usual_ms = usual->timed.trace().device_ms;
         one->ms.push_back(one->timed.trace().device_ms);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -34,9 +35,12 @@ struct FormBench {
   std::uint32_t spp = 2;
   int rounds = 5;
   std::function<void(double share)> progress = [](double) {};
+  std::function<bool()> stop;  ///< true: give up; may be empty
 };
 
-/// Draws `scene` by every form in turn, `bench.rounds` times, each right after the usual one.
-FormCalibration calibrate_forms(const Device& device, const Scene& scene, const Camera& camera, const FormBench& bench);
+/// Draws `scene` by every form in turn, `bench.rounds` times, each right after the usual one. None where it was
+/// stopped.
+std::optional<FormCalibration> calibrate_forms(const Device& device, const Scene& scene, const Camera& camera,
+                                               const FormBench& bench);
 
 }  // namespace vernier

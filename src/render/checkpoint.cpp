@@ -1,6 +1,7 @@
 #include "render/checkpoint.h"
 
 #include <algorithm>
+#include <filesystem>
 #include <utility>
 
 #include "error.h"
@@ -20,12 +21,14 @@ Checkpoint::Checkpoint(std::string file, std::map<std::string, std::string> reci
     : file_(std::move(file)), recipe_(std::move(recipe)), interval_s_(interval_s), warn_(std::move(warn)) {}
 
 void Checkpoint::save_start(const PixelRect& area, const TracePosition& start) {
+  last_ = Clock::now();
+  std::error_code failure;
+  if (std::filesystem::is_regular_file(file_, failure)) return;
   SavedFilm film;
   film.area = area;
   film.position = start;
   film.recipe = recipe_;
   write(film);
-  last_ = Clock::now();
 }
 
 bool Checkpoint::is_due(std::uint64_t film_bytes) const {

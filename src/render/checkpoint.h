@@ -25,6 +25,7 @@ class Checkpoint {
              std::function<void(const std::string&)> warn);
 
   /// Saves that nothing is done of `area` yet, at `start`: whoever is killed before the first checkpoint can resume.
+  /// A file that is there already stays until something is done.
   void save_start(const PixelRect& area, const TracePosition& start);
   /// Whether it is time to save a film of so many bytes.
   bool is_due(std::uint64_t film_bytes) const;

@@ -126,6 +126,12 @@ void put(std::FILE* file, const std::string& path, std::span<const std::byte> by
 
 }  // namespace
 
+bool is_film_file(const std::string& path) {
+  std::string begin(kMagic.size(), '\0');
+  std::ifstream stream(path, std::ios::binary);
+  return stream.read(begin.data(), static_cast<std::streamsize>(begin.size())) && begin == kMagic;
+}
+
 void write_film_file(const std::string& path, const SavedFilm& film) {
   const std::string recipe = text_of_metadata(film.recipe);
   const FileHeader header = header_of(film, recipe);

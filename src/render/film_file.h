@@ -35,6 +35,9 @@ struct SavedFilm {
 /// Error(failed) with `path` and the reason.
 void write_film_file(const std::string& path, const SavedFilm& film);
 
+/// Whether `path` begins like a file of write_film_file, of this version.
+bool is_film_file(const std::string& path);
+
 /// Reads a file that write_film_file wrote, of this byte order. Memory is taken only as far as the file really holds
 /// sums. Throws Error(refused) with `path` for a file that is not there, of another kind or version, cut short, too
 /// long or damaged in any byte.

@@ -147,7 +147,7 @@ void set_camera(PackedScene& packed, const Camera& camera, const RenderSettings&
   const glm::dvec3 origin = traced_from_world(space, glm::dvec3(frame[3]));
   const double farthest = std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z)});
   if (!(farthest <= std::exp2(40))) {
-    throw Error(ErrorKind::usage, "the camera is more than 2^40 scene extents away from the scene");
+    throw Error(ErrorKind::refused, "the camera is more than 2^40 scene extents away from the scene");
   }
   const double aspect = static_cast<double>(settings.width) / settings.height;
   const double half_height =

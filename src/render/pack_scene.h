@@ -65,7 +65,8 @@ DeviceLight device_light(const Light& light, const TracedSpace& space);
 std::vector<std::uint32_t> pack_lights(const std::vector<Light>& lights, const TracedSpace& space);
 
 /// Sets the camera of `packed` for an image of settings.width x settings.height.
-/// Throws Error(usage) when the camera stands more than 2^40 scene extents away: there a pixel is wider than the scene.
+/// Throws Error(refused) when the camera stands more than 2^40 scene extents away: there a pixel is wider than the
+/// scene.
 void set_camera(PackedScene& packed, const Camera& camera, const RenderSettings& settings);
 
 /// Sets what the settings decide: size, seed, samples, bounces, cutoff, filters.

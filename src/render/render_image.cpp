@@ -110,6 +110,9 @@ void check_settings(const RenderSettings& settings, const DeviceDescription& dev
       (settings.spp < 2 || settings.sample_begin != 0 || settings.sample_end != settings.spp)) {
     throw Error(ErrorKind::usage, "--error-target: it needs all samples of the image, and at least 2 per pixel");
   }
+  if (settings.error_target && settings.crop) {
+    throw Error(ErrorKind::usage, "--error-target: not with --crop; the whole image decides where samples pay");
+  }
   const PixelRect whole{0, 0, settings.width, settings.height};
   const PixelRect area = image_area(settings);
   if (area.x < 0 || area.y < 0 || area.width < 1 || area.height < 1 || area.width > whole.width - area.x ||

@@ -48,11 +48,14 @@ std::uint32_t samples_that_fit(glm::ivec2 tile, std::uint64_t sample_bytes) {
   return static_cast<std::uint32_t>(kSampleBytes / (jobs_per_sample(tile) * sample_bytes));
 }
 
+std::uint32_t samples_per_pass(const RenderSettings& settings, glm::ivec2 tile, std::uint64_t sample_bytes) {
+  return std::min(
+      {samples_that_fit(tile, sample_bytes), kMostSamplesPerPass, settings.sample_end - settings.sample_begin});
+}
+
 /// Size of the buffer for a pass of a tile.
 std::uint64_t pass_bytes(const RenderSettings& settings, glm::ivec2 tile, std::uint64_t sample_bytes) {
-  return jobs_per_sample(tile) * sample_bytes *
-         std::min(
-             {samples_that_fit(tile, sample_bytes), kMostSamplesPerPass, settings.sample_end - settings.sample_begin});
+  return jobs_per_sample(tile) * sample_bytes * samples_per_pass(settings, tile, sample_bytes);
 }
 
 std::uint64_t path_bytes(std::uint32_t invocations, std::uint32_t path_stack) {
@@ -71,7 +74,7 @@ TileTracer::TileTracer(const Device& device, const GpuScene& scene, SceneLoads l
       submitter_(device),
       sample_bytes_(bytes_per_sample(specialization.count_cost)),
       tile_(chosen_tile(settings, film.area(), sample_bytes_)),
-      most_samples_(samples_that_fit(tile_, sample_bytes_)),
+      most_samples_(samples_per_pass(settings, tile_, sample_bytes_)),
       wanted_ms_(settings.dispatch_ms),
       invocations_(invocation_count(device.description())),
       film_(film),

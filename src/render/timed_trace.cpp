@@ -63,8 +63,10 @@ TimedTrace::TimedTrace(const StagedScene& scene, const TraceSpecialization& spec
       film_(scene.device(), {0, 0, settings.width, settings.height}, false),
       tracer_(scene.device(), scene.gpu_scene(), scene.loads(), specialization, settings, film_) {}
 
-TraceTime TimedTrace::trace() {
-  const TraceStatistics after = tracer_.trace({});
+TraceTime TimedTrace::trace(const std::function<bool()>& stop) {
+  RenderCallbacks callbacks;
+  callbacks.cancelled = stop;
+  const TraceStatistics after = tracer_.trace(callbacks);
   TraceTime time{after.device_ms - before_.device_ms, difference(after.rays, before_.rays), after.wall_ms, after.saved};
   time.saved.aov_bytes = Film::aov_bytes(film_.area());
   before_ = {after.device_ms, after.rays, after.wall_ms, {}};
@@ -73,12 +75,10 @@ TraceTime TimedTrace::trace() {
   return time;
 }
 
-TraceTime TimedTrace::trace_anew(const RenderSettings& settings) {
-  const PixelRect& area = film_.area();
-  const std::size_t pixels = static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height);
-  film_.write_sums(device_, std::vector<std::uint32_t>(pixels * FILM_WORDS));
+TraceTime TimedTrace::trace_anew(const RenderSettings& settings, const std::function<bool()>& stop) {
+  film_.clear(device_);
   tracer_.set_settings(settings);
-  return trace();
+  return trace(stop);
 }
 
 Image TimedTrace::picture() const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "image/image.h"
@@ -59,10 +60,11 @@ class TimedTrace {
   /// Compiles for `specialization` before the clock starts. `scene` outlives it.
   TimedTrace(const StagedScene& scene, const TraceSpecialization& specialization, const RenderSettings& settings);
 
-  /// Traces all samples of the settings once more.
-  TraceTime trace();
-  /// Empties the film and traces the samples of `settings`, which StagedScene::set_settings has told the device of.
-  TraceTime trace_anew(const RenderSettings& settings);
+  /// Traces all samples of the settings once more, or those that come before `stop` says so.
+  TraceTime trace(const std::function<bool()>& stop = {});
+  /// Empties the film and traces the samples of `settings`, which StagedScene::set_settings has told the device of, as
+  /// far as they come before `stop` says so.
+  TraceTime trace_anew(const RenderSettings& settings, const std::function<bool()>& stop = {});
   /// The picture so far, R G B A. Repeated traces of the same samples leave it as it is.
   Image picture() const;
   /// The film as values: samples of each pixel, pixels that are not finite.

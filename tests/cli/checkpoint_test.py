@@ -128,6 +128,17 @@ class CheckpointTest(ProgramTest):
         self.write("bad.film", "vernier-film--1\n")
         self.check_error(REFUSED, "bad.film: is cut short", *RENDER, "-o", "x.exr", "--resume", "bad.film")
 
+    def test_an_older_checkpoint_stays_until_something_is_done(self):
+        self.stop_at((1, 5), signal.SIGKILL)
+        before = (self.folder / "c.film").read_bytes()
+        process = self.start(*RENDER, "-o", "out.exr", "--checkpoint", "c.film")
+        time.sleep(1.0)
+        process.kill()
+        process.communicate(timeout=120)
+        self.assertEqual((self.folder / "c.film").read_bytes(), before)
+        self.check_whole("--resume", "c.film")
+        self.check_error(USAGE, "is no checkpoint", *RENDER, "-o", "a.exr", "--checkpoint", "out.exr")
+
     def test_a_checkpoint_that_cannot_be_written(self):
         self.check_error(FAILED, "no/c.film: there is no folder no", *RENDER, "-o", "x.exr", "--checkpoint", "no/c.film")
         self.check_error(USAGE, "--checkpoint: it names the same file as --output, x.exr", *RENDER, "-o", "x.exr", "--checkpoint", "x.exr")

@@ -8,7 +8,7 @@ import unittest
 
 from program import FAILED, PROGRAM, SCENE, ProgramTest
 
-ENDLESS = ["render", SCENE, "-o", "out.png", "--size", "32x32", "--spp", "16000000"]
+ENDLESS = ["render", SCENE, "-o", "out.png", "--size", "32x32", "--spp", "1000000"]
 # Rows are what the reference counts: many short ones.
 ENDLESS_REFERENCE = ["reference", SCENE, "-o", "out.exr", "--size", "32x8192", "--spp", "4096"]
 
@@ -44,6 +44,24 @@ class InterruptTest(ProgramTest):
         self.check_done("render", SCENE, "-o", "whole.exr", "--size", "32x8192", "--spp", "1", "--quiet")
         result = self.check_done("diff", "whole.exr", "out.exr")
         self.assertRegex(result.stderr, r"^warning: out.exr: its render was stopped before its end, at \d+ %\n$")
+
+    def test_the_reference_of_costs_is_interrupted(self):
+        process = self.start(["cost", SCENE, "-o", "report", "--size", "1024x1024", "--budget", "600"])
+        time.sleep(4.0)  # within its first part
+        start = time.monotonic()
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, FAILED, errors)
+        self.assertIn("error: interrupted before the reference", errors)
+        self.assertLess(time.monotonic() - start, 20.0)
+
+    def test_calibrating_is_interrupted(self):
+        process = self.start(["devices", "--calibrate", "--json", "devices.json"])
+        self.wait_for_progress(process)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, FAILED, errors)
+        self.assertIsNone(json.loads((self.folder / "devices.json").read_text())["calibration"])
 
     def test_verify_tells_what_it_has_done(self):
         process = subprocess.Popen([PROGRAM, "verify", "--json", "verify.json"], cwd=self.folder, stdout=subprocess.PIPE,

@@ -69,6 +69,11 @@ class MergeTest(ProgramTest):
         self.check_done("render", "t.obj", *RENDER[2:], "-o", "b.exr", "--sample-range", "6:13")
         self.check_error(REFUSED, "b.exr: does not belong to a.exr: SHA-1 of the scene's files", "merge", first, "b.exr", "-o", "x.exr")
 
+    def test_numbers_in_other_words_are_the_same(self):
+        parts = [self.render("a.exr", "--sample-range", "0:6", "--cutoff", "1/1024"),
+                 self.render("b.exr", "--sample-range", "6:13", "--cutoff", "0.0009765625")]
+        self.check_done("merge", *parts, "-o", "x.exr", "--quiet")
+
     def test_sums_of_floats_are_refused(self):
         parts = [self.render(f"{i}.exr", "--accuracy", "fast", "--sample-range", part) for i, part in enumerate(RANGES)]
         self.check_error(REFUSED, "0.exr: has sums of floats, which have other bits in parts", "merge", *parts, "-o", "x.exr")

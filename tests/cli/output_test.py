@@ -37,6 +37,28 @@ class OutputTest(ProgramTest):
         self.assertEqual(self.files(), before)
         self.check_done("diff", "sky.hdr", "sky.hdr", "--json", "/dev/null")
 
+    def test_files_that_the_scene_reads_stay(self):
+        self.write("model.obj", "mtllib model.mtl\nusemtl a\nvt 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/1 3/1\n")
+        self.write("model.mtl", "newmtl a\nmap_Kd model.png\n")
+        self.check_done("render", SCENE, "-o", "model.png", *SMALL)
+        before = {name: (self.folder / name).read_bytes() for name in self.files()}
+        for words in (["render", "model.obj"], ["render", "model.obj", "-o", "a.png", "--json", "model.mtl"],
+                      ["reference", "model.obj", "-o", "model.png"], ["explain", "model.obj", "--no-costs", "--json", "model.mtl"]):
+            with self.subTest(words=words):
+                size = [] if words[0] == "explain" else SMALL
+                self.check_error(USAGE, "a file of the scene", *words, *size)
+        os.makedirs(self.folder / "out/images")
+        self.check_done("render", SCENE, "-o", "out/images/reference.png", *SMALL)
+        truth = (self.folder / "out/images/reference.png").read_bytes()
+        self.check_error(USAGE, "--reference", "cost", "model.obj", "-o", "out", "--size", "24x16", "--reference", "out/images/reference.png")
+        self.assertEqual((self.folder / "out/images/reference.png").read_bytes(), truth)
+        self.assertEqual({name: (self.folder / name).read_bytes() for name in before}, before)
+
+    def test_layers_are_looked_at_before_the_work(self):
+        os.mkdir(self.folder / "a.depth.png")
+        self.check_error(FAILED, "a.depth.png", "render", SCENE, "-o", "a.png", "--aov", "depth", *SMALL)
+        self.assertEqual(self.files(), ["a.depth.png"])
+
     def test_sides_that_jpeg_does_not_have(self):
         self.check_error(USAGE, "65500", "render", SCENE, "-o", "out.jpg", "--size", "65501x1", "--spp", "1")
         self.check_error(USAGE, "65500", "reference", SCENE, "-o", "out.jpg", "--size", "1x65501", "--spp", "1")

@@ -14,6 +14,11 @@ class ReferenceTest(ProgramTest):
         self.assertEqual((self.folder / "a.exr").read_bytes(), (self.folder / "b.exr").read_bytes())
         self.assertEqual(self.files(), ["a.exr", "b.exr", "triangle.obj"])
 
+    def test_other_formats_hold_the_colours_alone(self):
+        self.write("triangle.obj", TRIANGLE_OBJ)
+        self.check_done("reference", "triangle.obj", "-o", "a.png", *SMALL, "--quiet")
+        self.assertEqual(self.files(), ["a.png", "triangle.obj"])
+
     def test_quiet_says_nothing(self):
         self.write("triangle.obj", TRIANGLE_OBJ)
         result = self.check_done("reference", "triangle.obj", "-o", "a.exr", "--quiet", *SMALL)

@@ -61,6 +61,22 @@ class UsageTest(ProgramTest):
                 self.check_error(USAGE, "", *words)
         self.assertEqual(self.files(), [])
 
+    def test_a_value_that_is_missing(self):
+        for option in ("--json", "--checkpoint", "--resume", "--crop", "--sample-range", "--aov", "--device", "--camera", "--eye", "--fov",
+                       "--background", "--spp", "--tile", "--time-limit", "--error-target", "--effects", "--light"):
+            with self.subTest(option=option):
+                self.check_error(USAGE, option, "render", SCENE, option, "")
+                self.check_error(USAGE, option, "render", SCENE, option, "--quiet")
+        self.check_error(USAGE, "--json", "devices", "--json", "--quiet")
+        self.assertEqual(self.files(), [])
+
+    def test_options_that_do_not_go_together(self):
+        self.check_error(USAGE, "--crop", "render", SCENE, "-o", "a.exr", "--error-target", "0.1", "--crop", "0,0,8,8")
+        self.check_error(USAGE, "--case", "verify", "--mutate", "naive_sum", "--case", "shared_edge")
+        self.check_error(USAGE, "--spp", "render", SCENE, "--spp", 2**20 + 1)
+        self.check_error(USAGE, "--traversal", "view", SCENE, "--traversal", "texels-array")
+        self.assertEqual(self.files(), [])
+
     def test_view_reads_its_options_before_a_window_opens(self):
         self.check_error(USAGE, "--size", "view", SCENE, "--size", "0x5")
         self.check_error(USAGE, "--effects", "view", SCENE, "--effects", "auto,-fog")

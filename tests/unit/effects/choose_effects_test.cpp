@@ -34,7 +34,8 @@ TEST(ChooseEffects, ListIsReadFromLeftToRight) {
   EXPECT_EQ(choose_effects(detected, "shadows,reflection").bits, EFFECT_SHADOWS | EFFECT_REFLECTION);
   EXPECT_EQ(choose_effects(detected, "auto,emission").bits, EFFECT_AMBIENT | EFFECT_EMISSION);
   EXPECT_EQ(choose_effects(detected, "shadows,-shadows").bits, 0u);
-  EXPECT_EQ(choose_effects(detected, "-shadows,shadows").bits, EFFECT_SHADOWS);
+  EXPECT_EQ(choose_effects(detected, "-shadows,shadows").bits, EFFECT_AMBIENT | EFFECT_SHADOWS);
+  EXPECT_EQ(choose_effects(detected, "-ambient").bits, 0u);
 }
 
 TEST(ChooseEffects, NeededEffectsComeAndGoTogether) {

@@ -106,7 +106,7 @@ TEST(PackScene, a_camera_too_far_to_see_anything_is_refused) {
     set_camera(packed, test::camera_at(std::exp2(41)), test::small_image(2, 2, 1));
     ADD_FAILURE();
   } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::usage);
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
   }
 }
 
