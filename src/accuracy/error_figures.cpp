@@ -19,14 +19,13 @@ ErrorFigures error_figures(const Image& picture, const Image& reference, const F
 }
 
 double bias_product(const Image& a, const Image& b, const Image& ra, const Image& rb) {
-  constexpr double kFloor = 0.01;  // of relMSE: cli.md, --error-target
   double sum = 0.0;
   std::uint64_t count = 0;
   for (std::size_t i = 0; i < a.values.size(); ++i) {
     if (i % 4 == 3) continue;  // alpha
     const double mean = (static_cast<double>(ra.values[i]) + rb.values[i]) / 2.0;
     const double product = (static_cast<double>(a.values[i]) - ra.values[i]) *
-                           (static_cast<double>(b.values[i]) - rb.values[i]) / (mean * mean + kFloor);
+                           (static_cast<double>(b.values[i]) - rb.values[i]) / (mean * mean + kRelMseFloor);
     if (!std::isfinite(product)) continue;
     sum += product;
     ++count;

@@ -81,7 +81,7 @@ void add_diff_command(CLI::App& app, Command& chosen) {
   command
       .add_option("--map", arguments->map_file, "writes the FLIP error of each pixel, 0 to 1, as grey (default: none)")
       ->type_name("FILE");
-  command.add_flag("--quiet", arguments->quiet, "no progress, which there is none of (default: off)");
+  command.add_flag("--quiet", arguments->quiet, "as everywhere; there is no progress to leave out (default: off)");
   command.footer("Example: vernier diff render.exr truth.exr --json diff.json --map flip.png");
   command.callback([arguments, &chosen] { chosen = [arguments] { return run_diff(*arguments); }; });
 }

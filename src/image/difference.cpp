@@ -8,10 +8,6 @@
 namespace vernier {
 namespace {
 
-// Keeps black reference pixels from making the relative error infinite (Rousselle et al. 2011, Adaptive Sampling and
-// Reconstruction using Greedy Error Minimization, section 3).
-constexpr double kRelativeFloor = 0.01;
-
 struct Sums {
   double squared = 0.0;
   double relative = 0.0;
@@ -33,7 +29,7 @@ void add_pixel(Difference& result, Sums& sums, const std::array<double, 3>& a, c
   for (int c = 0; c < 3; ++c) {
     const double difference = a[c] - b[c];
     sums.squared += difference * difference;
-    sums.relative += difference * difference / (b[c] * b[c] + kRelativeFloor);
+    sums.relative += difference * difference / (b[c] * b[c] + kRelMseFloor);
     sums.signed_difference[c] += difference;
     if (result.max_x >= 0 && !(std::fabs(difference) > result.max_absolute)) continue;
     result.max_absolute = std::fabs(difference);

@@ -7,6 +7,10 @@
 
 namespace vernier {
 
+/// Of relMSE: keeps black reference pixels from making the relative error infinite (Rousselle et al. 2011, Adaptive
+/// Sampling and Reconstruction using Greedy Error Minimization, section 3).
+inline constexpr double kRelMseFloor = 0.01;
+
 /// How far an image `a` is from the reference `b`, over linear red, green and blue (alpha is not compared).
 /// Pixels with a non-finite colour value in either image are counted and left out of everything else; with no pixel
 /// left, the means are NaN, the largest difference 0 and its place (-1, -1).

@@ -15,7 +15,8 @@ std::optional<std::uint64_t> read_bytes(const std::string& path, const std::stri
   }
   std::uint64_t value = 0;
   if (!(file >> value)) return std::nullopt;
-  return value <= std::numeric_limits<std::uint64_t>::max() / unit ? value * unit : value;
+  constexpr std::uint64_t kMost = std::numeric_limits<std::uint64_t>::max();
+  return value <= kMost / unit ? value * unit : kMost;
 }
 
 std::string text_of_tenths(std::uint64_t gigabyte_tenths) {

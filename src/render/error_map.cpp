@@ -4,11 +4,11 @@
 #include <cmath>
 #include <queue>
 
+#include "image/difference.h"
+
 namespace vernier {
 namespace {
 
-/// Of relMSE's denominator (shared with image/difference.h).
-constexpr double kDarkSquare = 0.01;
 /// Of the normal distribution: 95 % lie below so many standard errors.
 constexpr double kQuantile95 = 1.6448536269514722;
 
@@ -18,7 +18,7 @@ double relative_square_error(const float* before, const float* now, double m, do
   double sum = 0.0;
   for (int c = 0; c < 3; ++c) {
     const double step = static_cast<double>(now[c]) - before[c];
-    sum += step * step / (static_cast<double>(now[c]) * now[c] + kDarkSquare);
+    sum += step * step / (static_cast<double>(now[c]) * now[c] + kRelMseFloor);
   }
   return sum / 3.0 * (m / (n - m));
 }

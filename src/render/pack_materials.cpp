@@ -1,13 +1,13 @@
 #include "render/pack_materials.h"
 
 #include <bit>
-#include <cmath>
 #include <cstring>
 #include <map>
 #include <unordered_set>
 
 #include "effects/effective_material.h"
 #include "error.h"
+#include "image/srgb_curve.h"
 #include "shared/render_constants.h"
 
 namespace vernier {
@@ -44,12 +44,6 @@ void append_words(std::vector<std::uint32_t>& words, const Struct& value) {
   const std::size_t first = words.size();
   words.resize(first + sizeof(Struct) / 4);
   std::memcpy(words.data() + first, &value, sizeof(Struct));
-}
-
-/// Linear value of an sRGB byte (IEC 61966-2-1).
-float srgb_to_linear(int byte) {
-  const double s = byte / 255.0;
-  return static_cast<float>(s <= 0.04045 ? s / 12.92 : std::pow((s + 0.055) / 1.055, 2.4));
 }
 
 }  // namespace
@@ -101,7 +95,7 @@ PackedTextures pack_textures(const Scene& scene) {
   PackedTextures packed;
   packed.texels.reserve(SRGB_CURVE_WORDS + texel_words(scene));
   for (int byte = 0; byte < static_cast<int>(SRGB_CURVE_WORDS); ++byte) {
-    packed.texels.push_back(std::bit_cast<std::uint32_t>(srgb_to_linear(byte)));
+    packed.texels.push_back(std::bit_cast<std::uint32_t>(static_cast<float>(linear_from_srgb(byte / 255.0))));
   }
   std::map<const Texels*, std::size_t> first_word;
   for (const Texture& texture : scene.textures) {

@@ -47,7 +47,7 @@ std::optional<std::string> absolute_path(const char* variable) {
   return value;
 }
 
-/// The file's header and bytes, or why there are none.
+/// Puts what is behind the file's header into `bytes`, or tells why there is nothing.
 std::string read_checked(const std::string& file, const std::string& pipeline_key, std::uint64_t most_bytes,
                          std::vector<std::byte>& bytes) {
   std::error_code failure;

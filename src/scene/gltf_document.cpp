@@ -162,6 +162,14 @@ bool has_binary_extension(const std::string& path) {
   return extension == ".glb";
 }
 
+void check_names(const GltfDocument& document, const json& root, const char* name) {
+  const auto found = root.find(name);
+  if (found == root.end()) return;
+  const bool are_names =
+      found->is_array() && std::ranges::all_of(*found, [](const json& one) { return one.is_string(); });
+  if (!are_names) refuse_gltf(document, name, "is no list of names");
+}
+
 }  // namespace
 
 void refuse_gltf(const GltfDocument& document, const std::string& place, const std::string& what) {
@@ -195,6 +203,9 @@ GltfDocument parse_gltf_document(std::span<const std::byte> file, const std::str
   const GltfContainer container = split_gltf_container(file, path, has_binary_extension(path));
   GltfJson parsed = parse_gltf_json(container.json, path);
 
+  // tinygltf passes over what is no list of names.
+  check_names(document, parsed.root, "extensionsRequired");
+  check_names(document, parsed.root, "extensionsUsed");
   const json buffers = take_array(parsed.root, "buffers");
   const json images = take_array(parsed.root, "images");
   const bool is_animated = !take_array(parsed.root, "animations").empty();

@@ -91,6 +91,12 @@ std::shared_ptr<const Texels> texels_of(const GltfDocument& document, const Gltf
   return entry->second;
 }
 
+/// What images with the same bytes have in common; empty where that is not known.
+std::string place_of_bytes(const GltfImage& image) {
+  if (!image.uri.empty()) return is_data_uri(image.uri) ? "" : image.uri;
+  return image.buffer_view < 0 ? "" : "\n" + std::to_string(image.buffer_view);
+}
+
 }  // namespace
 
 int gltf_scene_texture(GltfDocument& document, int index, TexelEncoding encoding, const std::string& place,
@@ -100,8 +106,8 @@ int gltf_scene_texture(GltfDocument& document, int index, TexelEncoding encoding
   if (!is_new) return entry->second;
   int image = image_of(document, index);
   if (image < 0) return -1;
-  const std::string& uri = document.images[static_cast<std::size_t>(image)].uri;
-  if (!uri.empty() && !is_data_uri(uri)) image = textures.image_of_file.try_emplace(uri, image).first->second;
+  const std::string source_of_image = place_of_bytes(document.images[static_cast<std::size_t>(image)]);
+  if (!source_of_image.empty()) image = textures.image_of_bytes.try_emplace(source_of_image, image).first->second;
   const auto texels = texels_of(document, {image, encoding}, "texture " + std::to_string(index), textures);
   const tinygltf::Texture& source = document.model.textures[static_cast<std::size_t>(index)];
   const GltfImage& file = document.images[static_cast<std::size_t>(image)];

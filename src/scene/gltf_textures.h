@@ -14,12 +14,12 @@ namespace vernier {
 /// An image of the file and what its texels are read as: an image used as colour and as data is decoded twice.
 using GltfImageUse = std::pair<int, TexelEncoding>;
 
-/// What is there so far. A texture used twice is decoded once, and so is a file that several images name.
+/// What is there so far. A texture used twice is decoded once, and so are bytes that several images name.
 struct GltfTextures {
   PendingImages& images;                                         ///< decode what textures ask for
   std::map<GltfImageUse, std::shared_ptr<const Texels>> texels;  ///< by image, until they are decoded
   std::map<std::pair<int, TexelEncoding>, int> numbers;          ///< by texture, in Scene::textures
-  std::map<std::string, int> image_of_file;                      ///< by URI the first image that names it
+  std::map<std::string, int> image_of_bytes;                     ///< by URI or bufferView the first image of it
 };
 
 /// Number in scene.textures of texture `index` of the file read as `encoding`, added on first use. EXT_texture_webp is

@@ -23,15 +23,6 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-std::string_view take_last_word(std::string_view& text) {
-  text = trimmed(text);
-  const std::size_t before = text.find_last_of(kBlanks);
-  const std::size_t first = before == std::string_view::npos ? 0 : before + 1;
-  const std::string_view word = text.substr(first);
-  text = trimmed(text.substr(0, first));
-  return word;
-}
-
 std::string_view without_comment(std::string_view text) {
   for (std::size_t i = 1; i < text.size(); ++i) {
     if (text[i] == '#' && kBlanks.find(text[i - 1]) != std::string_view::npos) return trimmed(text.substr(0, i));

@@ -15,9 +15,6 @@ std::string_view trimmed(std::string_view text);
 /// start.
 std::string_view take_word(std::string_view& text);
 
-/// Cuts the last blank-separated word off `text` and returns it; empty at the end.
-std::string_view take_last_word(std::string_view& text);
-
 /// `text` without a comment at its end: a # behind a blank. Names may have that, too (`Material #25`).
 std::string_view without_comment(std::string_view text);
 

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <bit>
+#include <chrono>
 #include <cmath>
 #include <stdexcept>
+#include <thread>
 
 #include "bvh/check_bvh.h"
 #include "bvh/decode_record.h"
@@ -113,6 +116,20 @@ TEST(BuildBvh, PassesOnWhatTheCallbackThrows) {
   const Triangles triangles = random_soup(30000, 0.1f, 14);
   const auto fail = [](std::uint32_t) -> bool { throw std::runtime_error("no such material"); };
   EXPECT_THROW(build_bvh(triangles, fail, 3), std::runtime_error);
+}
+
+// The others wait for tasks of the thread that failed.
+TEST(BuildBvh, EndsWhereProgressThrows) {
+  const Triangles triangles = random_soup(20000, 0.1f, 14);
+  for (int calls = 1; calls < 4; ++calls) {
+    std::atomic<int> call = 0;
+    const auto fail = [&](double) {
+      if (++call < calls) return;
+      std::this_thread::sleep_for(std::chrono::milliseconds(20));
+      throw std::runtime_error("interrupted");
+    };
+    EXPECT_THROW(build_bvh(triangles, {}, 8, BuildMethod::standard, fail), std::runtime_error) << calls;
+  }
 }
 
 TEST(BuildBvh, KeepsChildrenNearTheirParents) {

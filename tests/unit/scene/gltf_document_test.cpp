@@ -160,6 +160,10 @@ TEST(GltfDocument, refuses_unknown_required_extensions) {
   add_triangle(file);
   file.json["extensionsRequired"] = {"KHR_texture_basisu"};
   expect_refused(file, "extensionsRequired: KHR_texture_basisu is not supported");
+  file.json["extensionsRequired"] = "KHR_texture_basisu";
+  expect_refused(file, "extensionsRequired: is no list of names");
+  file.json["extensionsRequired"] = {1};
+  expect_refused(file, "extensionsRequired: is no list of names");
 }
 
 TEST(GltfDocument, warns_once_of_ignored_extensions_and_refuses_them_when_strict) {

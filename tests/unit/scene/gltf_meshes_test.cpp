@@ -97,6 +97,14 @@ TEST(GltfMeshes, make_normals_and_tangents_unit_and_leave_none_for_those_without
   expect_refused(file, "NORMAL: 2 elements do not go with 3 positions");
 }
 
+TEST(GltfMeshes, ignore_tangents_without_normals) {
+  GltfFile file;
+  add_triangle(file);
+  file.json["meshes"][0]["primitives"][0]["attributes"]["TANGENT"] =
+      file.accessor(std::vector<float>{1, 0, 0, 1, 1, 0, 0, 1, 1, 0, 0, 1}, "VEC4", kFloat, 4);
+  EXPECT_TRUE(file.load().meshes[0].tangents.empty());
+}
+
 TEST(GltfMeshes, leave_normals_out_where_the_file_has_none) {
   GltfFile file;
   add_triangle(file);

@@ -130,6 +130,8 @@ TEST(GltfNodes, instances_may_have_attributes_of_others_alone) {
   const int ids = file.accessor(std::vector<float>{1, 2}, "SCALAR", 5126, 1);
   file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"_ID", ids}};
   EXPECT_EQ(file.load().instances.size(), 2u);
+  file.json["accessors"][static_cast<std::size_t>(ids)]["count"] = 20'000'000;
+  expect_refused(file, "20000000 elements need");
 }
 
 TEST(GltfCameras, are_rigid_and_ordered_by_their_number) {

@@ -53,6 +53,9 @@ TEST(LoadObjGeometry, BadIndicesAreRefusedWithTheirLine) {
   EXPECT_EQ(refusal(kTriangle + "vt 0 0\nf 1/1 2/-0 3/1\n"),
             "line 5: index 0 does not exist, indices count from 1 or back from -1");
   EXPECT_EQ(refusal(kTriangle + "f 1 2 -4\n"), "line 4: a vertex index counts back before the first vertex");
+  EXPECT_EQ(refusal(kTriangle + "vt 0 0\nf 1/-2 2/1 3/1\n"), "line 5: '1/-2' counts back before the first of the file");
+  EXPECT_EQ(refusal(kTriangle + "vn 0 0 1\nf 1//-2 2//1 3//1\n"),
+            "line 5: '1//-2' counts back before the first of the file");
   EXPECT_EQ(refusal(kTriangle + "f 1/1 2/1 3/1\n"), "line 4: texture vertex 1 is beyond the 0 of the file");
   EXPECT_EQ(refusal(kTriangle + "f 1//2 2//1 3//1\n"), "line 4: normal 2 is beyond the 0 of the file");
   EXPECT_EQ(refusal(kTriangle + "f 1 2 x\n"), "line 4: 'x' is not a corner of a face");
@@ -121,6 +124,14 @@ TEST(LoadObjGeometry, SurveyCoordinatesGoToTheTransform) {
   EXPECT_EQ(scene.meshes[0].positions[scene.meshes[0].triangles[0][2]],
             scene.meshes[1].positions[scene.meshes[1].triangles[0][0]]);
   EXPECT_LT(glm::length(first), 32.0f);
+}
+
+TEST(LoadObjGeometry, VerticesWithoutFacesMoveNoOrigin) {
+  const std::string far_triangle =
+      "v 4000000 5000000 100000\nv 4000001 5000000 100000\nv 4000000 5000001.25 100000\nf 1 2 3\n";
+  const Scene scene = load(far_triangle + "v 0 0 0\np 4\n");
+  EXPECT_EQ(scene.instances[0].world_from_object, load(far_triangle).instances[0].world_from_object);
+  EXPECT_EQ(scene.meshes[0].positions, load(far_triangle).meshes[0].positions);
 }
 
 TEST(LoadObjGeometry, VertexColoursAreSrgb) {

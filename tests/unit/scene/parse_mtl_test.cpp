@@ -56,6 +56,19 @@ TEST(ParseMtl, SenselessNumbersAreLeftOut) {
   EXPECT_EQ(library.faults.size(), 5u);
 }
 
+TEST(ParseMtl, HalfAColourIsNone) {
+  const MtlLibrary library = parse_mtl("newmtl a\nKd 1 0,5 0.25\nKs 0.5\nKa 0.5 0.25 # grey\n");
+  EXPECT_FALSE(library.materials.at(0).diffuse.has_value());
+  EXPECT_EQ(library.materials[0].specular, glm::dvec3(0.5)) << "one number is a grey";
+  EXPECT_EQ(library.materials[0].ambient, glm::dvec3(0.5, 0.25, 0.25));
+  EXPECT_EQ(library.faults, std::vector<std::string>{"line 2: Kd is not a finite number and is left out"});
+}
+
+TEST(ParseMtl, DefaultsThatAreSpeltOutAreNotTold) {
+  EXPECT_TRUE(parse_mtl("newmtl a\nmap_Kd -cc off a.png\n").unsupported.empty());
+  EXPECT_EQ(parse_mtl("newmtl a\nmap_Kd -cc on a.png\n").unsupported.size(), 1u);
+}
+
 TEST(ParseMtl, GarbageGivesFewPrintableLines) {
   std::string text = "newmtl a\n";
   for (int i = 0; i < 1000; ++i) text += std::string("\x01\xff") + std::to_string(i) + " x\r\n";

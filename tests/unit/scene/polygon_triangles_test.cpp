@@ -130,6 +130,12 @@ TEST(PolygonTriangles, SenselessPolygonsEnd) {
     append_polygon_triangles(polygon, triangles);
     EXPECT_EQ(triangles.size(), polygon.size() - 2);
   }
+  // Once a square of the corners' number.
+  std::vector<glm::dvec3> long_one;
+  for (int i = 0; i < 100000; ++i) long_one.emplace_back(i % 317, i * 7919 % 1009, i == 5 ? nan : 0.0);
+  std::vector<PolygonTriangle> many;
+  append_polygon_triangles(long_one, many);
+  EXPECT_EQ(many.size(), long_one.size() - 2);
   std::vector<PolygonTriangle> none;
   append_polygon_triangles(std::vector<glm::dvec3>(2), none);
   EXPECT_TRUE(none.empty());
