@@ -16,6 +16,13 @@ Interval interval_of_runs(const std::vector<CostRun>& runs, double ErrorFigures:
   return interval_of(values);
 }
 
+/// Of a figure that is never below 0: nor is the true one.
+Interval error_interval(const std::vector<CostRun>& runs, double ErrorFigures::*figure) {
+  Interval interval = interval_of_runs(runs, figure);
+  if (interval.low < 0.0) interval.low = 0.0;
+  return interval;
+}
+
 Spread spread_of_runs(const std::vector<CostRun>& runs, double CostRun::*time) {
   std::vector<double> values;
   for (const CostRun& run : runs) values.push_back(run.*time);
@@ -145,13 +152,13 @@ PointSummary summarize(const PointResult& result) {
   PointSummary summary;
   summary.device_ms = spread_of_runs(runs, &CostRun::device_ms);
   summary.wall_ms = spread_of_runs(runs, &CostRun::wall_ms);
-  summary.rel_error = interval_of_runs(runs, &ErrorFigures::rel_error);
-  summary.rmse = interval_of_runs(runs, &ErrorFigures::rmse);
-  summary.rel_mse = interval_of_runs(runs, &ErrorFigures::rel_mse);
+  summary.rel_error = error_interval(runs, &ErrorFigures::rel_error);
+  summary.rmse = error_interval(runs, &ErrorFigures::rmse);
+  summary.rel_mse = error_interval(runs, &ErrorFigures::rel_mse);
   summary.psnr_db = interval_of_runs(runs, &ErrorFigures::psnr_db);
-  summary.flip_mean = interval_of_runs(runs, &ErrorFigures::flip_mean);
-  summary.flip_p99 = interval_of_runs(runs, &ErrorFigures::flip_p99);
-  summary.most = interval_of_runs(runs, &ErrorFigures::most);
+  summary.flip_mean = error_interval(runs, &ErrorFigures::flip_mean);
+  summary.flip_p99 = error_interval(runs, &ErrorFigures::flip_p99);
+  summary.most = error_interval(runs, &ErrorFigures::most);
   summary.claimed_error = claimed(runs);
   add_bias(result, summary);
   summary.efficiency = 1000.0 / (summary.rel_mse.mean * summary.device_ms.median);

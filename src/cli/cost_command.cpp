@@ -87,13 +87,11 @@ void prepare_folder(const std::string& folder) {
 
 /// That nothing that is read is replaced.
 void check_outputs(const CostArguments& arguments, const Scene& scene) {
-  std::vector<std::string> names;
+  std::vector<NamedFile> files = {{"--reference", arguments.reference, true}};
   for (const char* name : {"cost.json", "cost.csv", "report.html", "images/reference.png"}) {
-    names.push_back(arguments.folder + "/" + name);
+    files.push_back({"--output", arguments.folder + "/" + name});
   }
-  std::vector<NamedFile> outputs = {{"--reference", arguments.reference, true}};
-  for (const std::string& name : names) outputs.push_back({"--output", name});
-  check_not_read(outputs, scene.files);
+  check_not_read(files, scene.files);
 }
 
 void write_pictures(const std::string& folder, const Sweep& sweep, CostNames& names) {

@@ -78,7 +78,8 @@ void check_checkpoint_output(const RenderPlan& plan) {
   }
   std::error_code failure;
   if (std::filesystem::is_regular_file(plan.checkpoint, failure) && !is_film_file(plan.checkpoint)) {
-    throw Error(ErrorKind::usage, "--checkpoint: " + plan.checkpoint + " is there already and is no checkpoint");
+    throw Error(ErrorKind::usage,
+                "--checkpoint: " + plan.checkpoint + " is there already and is no checkpoint of this version");
   }
 }
 
