@@ -168,13 +168,14 @@ class MtlParser {
 
   // Some exporters write options behind the name: `bump stone.png -bm 2`. Returns the name alone.
   std::string_view options_after_name(MtlTexture& map, std::string_view keyword, std::string_view text) {
-    const std::size_t dash = text.find(" -");
-    if (dash == std::string_view::npos) return text;
-    std::string_view rest = trimmed(text.substr(dash));
-    if (!option(map, keyword, rest)) return text;
-    while (!rest.empty() && option(map, keyword, rest)) {
+    for (std::size_t dash = text.find(" -"); dash != std::string_view::npos; dash = text.find(" -", dash + 1)) {
+      std::string_view rest = trimmed(text.substr(dash));
+      if (!option(map, keyword, rest)) continue;
+      while (!rest.empty() && option(map, keyword, rest)) {
+      }
+      return trimmed(text.substr(0, dash));
     }
-    return trimmed(text.substr(0, dash));
+    return text;
   }
 
   std::optional<double> finite(std::string_view keyword, std::string_view rest) {

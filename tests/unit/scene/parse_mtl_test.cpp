@@ -37,6 +37,9 @@ TEST(ParseMtl, OptionsMayFollowTheName) {
   EXPECT_EQ(bump.channel, 'r');
   EXPECT_EQ(bump.bump_multiplier, 1.5);
   EXPECT_TRUE(bump.clamp);
+  const MtlLibrary dashed = parse_mtl("newmtl a\nmap_Kd my - stone.png -s 2 2 1\n");
+  EXPECT_EQ(map_of(dashed, MtlMap::diffuse).file, "my - stone.png");
+  EXPECT_EQ(map_of(dashed, MtlMap::diffuse).scale, glm::dvec2(2.0));
 }
 
 TEST(ParseMtl, OptionsWithoutEffectHereAreTold) {
