@@ -1,6 +1,5 @@
 #include "preview/picture_limit.h"
 
-#include <algorithm>
 #include <cstdint>
 
 #include "preview/widgets.h"
@@ -10,17 +9,12 @@ namespace {
 
 // 4.5 GiB of film.
 constexpr std::int64_t kMostPixels = std::int64_t{1} << 25;
-// Of an image on the devices there are.
-constexpr int kLongestSide = 16384;
 
 }  // namespace
 
 std::string picture_fault(glm::ivec2 size) {
-  if (std::int64_t{size.x} * size.y > kMostPixels) {
-    return "at most " + grouped(static_cast<std::uint64_t>(kMostPixels)) + " pixels in a window";
-  }
-  if (std::max(size.x, size.y) > kLongestSide) return "at most " + grouped(kLongestSide) + " pixels a side in a window";
-  return "";
+  if (std::int64_t{size.x} * size.y <= kMostPixels) return "";
+  return "at most " + grouped(static_cast<std::uint64_t>(kMostPixels)) + " pixels in a window";
 }
 
 }  // namespace vernier

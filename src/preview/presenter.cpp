@@ -1,5 +1,6 @@
 #include "preview/presenter.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -83,6 +84,10 @@ Presenter::~Presenter() {
 }
 
 void Presenter::set_largest_picture(glm::ivec2 size) {
+  const std::uint32_t most = device_.physical().getProperties().limits.maxImageDimension2D;
+  if (static_cast<std::uint32_t>(std::max(size.x, size.y)) > most) {
+    throw Error(ErrorKind::usage, "--size: at most " + std::to_string(most) + " pixels a side on this device");
+  }
   vk_check("making room for the picture", [&] {
     device_.queue().waitIdle();
     const vk::Extent3D extent(static_cast<std::uint32_t>(size.x), static_cast<std::uint32_t>(size.y), 1);

@@ -20,7 +20,8 @@ struct ShownPicture {
 /// Puts pictures and what is drawn over them into a window. Owns swapchain, render pass and commands.
 class Presenter {
  public:
-  /// `surface` is that of the window; device and surface outlive it. `largest_picture`: pixels of the largest picture.
+  /// `surface` is that of the window; device and surface outlive it. `largest_picture` as
+  /// for set_largest_picture.
   Presenter(const Device& device, vk::SurfaceKHR surface, glm::ivec2 window_size, glm::ivec2 largest_picture);
   ~Presenter();
 
@@ -28,7 +29,7 @@ class Presenter {
   vk::RenderPass render_pass() const { return *render_pass_; }
   /// Images of the swapchain; 0 while the window is minimised.
   std::uint32_t image_count() const { return swapchain_.image_count(); }
-  /// Pictures may be as large as that from now on.
+  /// Pictures may be as large as that from now on. Throws Error(usage) where the device has no image so long or high.
   void set_largest_picture(glm::ivec2 size);
 
   /// Shows `picture` in a window of `window_size` pixels, and what `draw_over` records. False when there was nothing to

@@ -143,6 +143,7 @@ void ViewWindow::apply() {
     if (error.kind() == ErrorKind::device_lost) throw;
     state_.message = error.what();
     state_.settings = session_->settings();
+    state_.edited_size = {state_.settings.width, state_.settings.height};
   } catch (const std::bad_alloc&) {  // by what is loaded beside
     state_.message = "not enough memory on the host";
   }

@@ -159,9 +159,9 @@ class MtlParser {
     } else if (name == "-imfchan") {
       map.channel = words.empty() ? '\0' : words[0][0];
     } else if (name == "-t" || name == "-mm" || name == "-cc" || name == "-type") {
-      const bool neutral = name == "-mm"   ? value(0, 0.0) == 0.0 && value(1, 1.0) == 1.0
-                           : name == "-cc" ? !words.empty() && words[0] == "off"
-                                           : name == "-t" && value(0, 0.0) == 0.0 && value(1, 0.0) == 0.0;
+      bool neutral = name == "-t" && value(0, 0.0) == 0.0 && value(1, 0.0) == 0.0;
+      if (name == "-mm") neutral = value(0, 0.0) == 0.0 && value(1, 1.0) == 1.0;
+      if (name == "-cc") neutral = !words.empty() && words[0] == "off";
       if (!neutral) unsupported(std::string(keyword) + " " + std::string(name));
     }
   }

@@ -73,6 +73,13 @@ class ScriptTest(WindowTest):
         self.assertEqual(code, 3)
         self.assertIn("broken.glb", said)
 
+    def test_pictures_that_no_window_shows(self):
+        for size, reason in (("65536x16", "pixels a side on this device"), ("32768x2048", "pixels in a window")):
+            code, said = self.run_program("view", SCENES / "glass_ball.glb", "--size", size)
+            self.assertEqual(code, 2, said)
+            self.assertIn("--size: at most", said)
+            self.assertIn(reason, said)
+
 
 if __name__ == "__main__":
     unittest.main()
