@@ -4,6 +4,7 @@
 #include <cstring>
 #include <vector>
 
+#include "codecs/jpeg_fault.h"
 #include "error.h"
 
 namespace vernier {
@@ -26,21 +27,25 @@ bool read_block(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, int y_begi
                           bytes);
 }
 
+[[noreturn]] void refuse_rows(const std::string& place, std::string reason) {
+  std::ranges::replace(reason, '\n', ' ');
+  throw Error(ErrorKind::refused, place + ": " + reason);
+}
+
 }  // namespace
 
 void read_rows(const std::string& path, OIIO::ImageInput& input, const TakeRows& take) {
   const OIIO::ImageSpec spec = input.spec();
   const int rows_per_block = std::min(spec.tile_width == 0 ? kRowsPerBlock : spec.tile_height, spec.height);
   std::vector<std::byte> bytes(spec.scanline_bytes(true) * rows_per_block);
-  input.geterror();  // what was said before is about other things
+  // What was said before is about other things, but a progressive JPEG is decoded when it is opened.
+  if (const std::string fault = input.geterror(); is_cut_jpeg(fault)) refuse_rows(path, fault);
   for (int row = 0; row < spec.height; row += rows_per_block) {
     const int row_count = std::min(rows_per_block, spec.height - row);
     // The TIFF reader claims success for strips that are cut off, but it notes the error.
     if (!read_block(input, spec, spec.y + row, spec.y + row + row_count, bytes.data()) || input.has_error()) {
-      std::string reason = input.geterror();
-      std::replace(reason.begin(), reason.end(), '\n', ' ');
-      throw Error(ErrorKind::refused,
-                  path + ": row " + std::to_string(row) + ": " + (reason.empty() ? "cannot be decoded" : reason));
+      const std::string reason = input.geterror();
+      refuse_rows(path + ": row " + std::to_string(row), reason.empty() ? "cannot be decoded" : reason);
     }
     take(bytes.data(), row_count);
   }

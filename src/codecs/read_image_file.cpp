@@ -7,6 +7,7 @@
 
 #include "codecs/codec_name.h"
 #include "codecs/file_layers.h"
+#include "codecs/jpeg_fault.h"
 #include "codecs/pixel_rows.h"
 #include "error.h"
 #include "image/file_metadata.h"
@@ -53,6 +54,7 @@ std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, FileFormat
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) refuse(path, error ? error.message() : "there is no such file");
   if (std::filesystem::is_directory(status)) refuse(path, "it is a folder");
+  if (!std::filesystem::is_regular_file(status)) refuse(path, "not a regular file");  // a pipe would be waited for
   std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(codec_name(format));
   if (!input) refuse(path, OIIO::geterror());
   OIIO::ImageSpec spec;
@@ -60,6 +62,7 @@ std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, FileFormat
   as_stored.attribute("oiio:UnassociatedAlpha", 1);
   if (!input->open(path, spec, as_stored)) refuse(path, input->geterror());
   check_spec(path, spec);
+  if (const std::string fault = input->geterror(); is_cut_jpeg(fault)) refuse(path, fault);
   if (input->seek_subimage(1, 0)) refuse(path, "files of several parts or pages are not supported");
   input->geterror();  // the missing second part is no failure
   if (!input->seek_subimage(0, 0)) refuse(path, input->geterror());

@@ -5,10 +5,13 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <new>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
 #include <vector>
 
+#include "codecs/jpeg_fault.h"
 #include "codecs/webp_image.h"
 #include "error.h"
 #include "image/srgb_curve.h"
@@ -28,6 +31,8 @@ std::string one_line(std::string text) {
   for (char& c : text) {
     if (c == '\n' || c == '\r' || c == '\t') c = ' ';
   }
+  // Readers add the name that they were given.
+  if (const std::size_t made_up = text.find(" (\"texture."); made_up != std::string::npos) text.resize(made_up);
   while (!text.empty() && text.back() == ' ') text.pop_back();
   return text.empty() ? "unknown format" : text;
 }
@@ -60,7 +65,7 @@ std::array<int, 4> channel_order(int count) {
 // Readers claim success for rows that are cut off (TIFF, JPEG), but note a fault. Of JPEG they note stray bytes too,
 // which take nothing away.
 bool loses_rows(const OIIO::ImageInput& input, const std::string& fault) {
-  if (std::string_view(input.format_name()) == "jpeg") return fault.find("Premature end") != std::string::npos;
+  if (std::string_view(input.format_name()) == "jpeg") return is_cut_jpeg(fault);
   return !fault.empty();
 }
 
@@ -73,7 +78,9 @@ void read_bands(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std:
   const int band_rows =
       spec.tile_width > 0 ? std::clamp(spec.tile_height, 1, spec.height) : std::min(kBandRows, spec.height);
   std::vector<T> band(std::size_t(spec.width) * std::size_t(band_rows) * channels);
-  input.geterror();  // what was said before is about other things
+  // What was said before is about other things, but a progressive JPEG is decoded when it is opened.
+  if (const std::string fault = input.geterror(); is_cut_jpeg(fault))
+    refuse(name, "the image cannot be read: " + one_line(fault));
   for (int row = 0; row < spec.height; row += band_rows) {
     const int end = std::min(row + band_rows, spec.height);
     const bool ok = spec.tile_width > 0 ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + row,
@@ -116,10 +123,8 @@ void read_floats(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std
   });
 }
 
-}  // namespace
-
-void read_texels(std::span<const std::byte> encoded, const std::string& extension, const std::string& name,
-                 TexelEncoding encoding, const std::function<void(std::uint64_t)>& claim, Texels& texels) {
+void decode(std::span<const std::byte> encoded, const std::string& format, const std::string& name,
+            TexelEncoding encoding, const std::function<void(std::uint64_t)>& claim, Texels& texels) {
   if (const std::optional<glm::ivec2> size = still_webp_size(encoded)) {
     check_size(OIIO::ImageSpec(size->x, size->y, 4, OIIO::TypeDesc::UINT8), name);
     claim(std::uint64_t(size->x) * std::uint64_t(size->y) * 4);
@@ -133,15 +138,16 @@ void read_texels(std::span<const std::byte> encoded, const std::string& extensio
   OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(encoded.data()), encoded.size());
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
-  // The reader's own parameter is ignored by OpenImageIO 2.4.7 where there is a configuration too.
+  // Some readers take a proxy only so, some only as an attribute, and would open a file of the name otherwise.
   OIIO::Filesystem::IOProxy* proxy = &memory;
   config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::open("texture." + extension, &config);
-  if (!input) {
+  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
+  OIIO::ImageSpec spec;
+  if (!input || !input->supports("ioproxy") || !input->set_ioproxy(&memory) ||
+      !input->open("texture." + format, spec, config)) {
     OIIO::geterror();  // empties OpenImageIO's queue of messages
     refuse(name, "not an image in a format that can be read");
   }
-  const OIIO::ImageSpec spec = input->spec();
   check_size(spec, name);
 
   texels.width = std::uint32_t(spec.width);
@@ -154,6 +160,19 @@ void read_texels(std::span<const std::byte> encoded, const std::string& extensio
     read_bytes(*input, spec, name, texels);
   } else {
     read_floats(*input, spec, name, !is_float && encoding == TexelEncoding::srgb, texels);
+  }
+}
+
+}  // namespace
+
+void read_texels(std::span<const std::byte> encoded, const std::string& format, const std::string& name,
+                 TexelEncoding encoding, const std::function<void(std::uint64_t)>& claim, Texels& texels) {
+  try {
+    decode(encoded, format, name, encoding, claim, texels);
+  } catch (const std::bad_alloc&) {
+    refuse(name, "not enough memory for its pixels");
+  } catch (const std::length_error&) {  // of a reader that believes its header
+    refuse(name, "not enough memory for its pixels");
   }
 }
 

@@ -11,10 +11,10 @@ namespace vernier {
 
 extern "C" {
 
-/// decode_texels, of an image in the format that `extension` (without dot) names; of PNG what essential_png leaves.
+/// decode_texels, of an image in the format `format` (encoded_format); of PNG what essential_png leaves.
 /// Calls claim(bytes) before the memory for the texels is taken. A function of the module of codecs, called through
 /// `codec` (image/codec_module.h) alone.
-[[gnu::visibility("default")]] void read_texels(std::span<const std::byte> encoded, const std::string& extension,
+[[gnu::visibility("default")]] void read_texels(std::span<const std::byte> encoded, const std::string& format,
                                                 const std::string& name, TexelEncoding encoding,
                                                 const std::function<void(std::uint64_t)>& claim, Texels& texels);
 

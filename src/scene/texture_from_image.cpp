@@ -1,14 +1,13 @@
 #include "scene/texture_from_image.h"
 
-#include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <string_view>
 #include <vector>
 
 #include "error.h"
 #include "image/codec_module.h"
 #include "math/memory_claim.h"
+#include "scene/encoded_format.h"
 #include "scene/essential_png.h"
 #include "scene/texel_codec.h"
 #include "scene/texel_memory.h"
@@ -16,33 +15,8 @@
 namespace vernier {
 namespace {
 
-constexpr std::string_view kPngSignature("\x89PNG\r\n\x1a\n", 8);
-
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
   throw Error(ErrorKind::refused, name + ": " + what);
-}
-
-bool begins_with(std::span<const std::byte> encoded, std::string_view bytes, std::size_t offset = 0) {
-  return encoded.size() >= offset + bytes.size() &&
-         std::memcmp(encoded.data() + offset, bytes.data(), bytes.size()) == 0;
-}
-
-// OpenImageIO picks the reader of an image in memory by a file name, so the content is looked at here.
-// TGA has no signature at its start: it is recognised by the extension of its name alone.
-std::string extension_of(std::span<const std::byte> encoded, const std::string& name) {
-  using namespace std::string_view_literals;
-  if (begins_with(encoded, kPngSignature)) return "png";
-  if (begins_with(encoded, "\xff\xd8\xff"sv)) return "jpg";
-  if (begins_with(encoded, "RIFF"sv) && begins_with(encoded, "WEBP"sv, 8)) return "webp";
-  if (begins_with(encoded, "BM"sv)) return "bmp";
-  if (begins_with(encoded, "#?"sv)) return "hdr";
-  if (begins_with(encoded, "\x76\x2f\x31\x01"sv)) return "exr";
-  if (begins_with(encoded, "II*\0"sv) || begins_with(encoded, "MM\0*"sv)) return "tif";
-  if (begins_with(encoded, "GIF8"sv)) return "gif";
-  if (begins_with(encoded, "8BPS"sv)) return "psd";
-  if (begins_with(encoded, "DDS "sv)) return "dds";
-  const std::size_t dot = name.find_last_of("./");
-  return dot != std::string::npos && name[dot] == '.' ? name.substr(dot + 1) : "tga";
 }
 
 }  // namespace
@@ -50,14 +24,13 @@ std::string extension_of(std::span<const std::byte> encoded, const std::string& 
 std::shared_ptr<const Texels> decode_texels(std::span<const std::byte> encoded, const std::string& name,
                                             TexelEncoding encoding) {
   if (encoded.empty()) refuse(name, "the image is empty");
-  const std::string extension = extension_of(encoded, name);
+  const std::string format = encoded_format(encoded, name);
   std::vector<std::byte> png;
-  if (extension == "png" && begins_with(encoded, kPngSignature)) encoded = png = essential_png(encoded, name);
+  if (format == "png") encoded = png = essential_png(encoded, name);
   auto texels = std::make_shared<Texels>();
   MemoryClaim claim;
   codec<decltype(read_texels)>("read_texels")(
-      encoded, extension, name, encoding, [&](std::uint64_t bytes) { claim_texel_memory(claim, name, bytes); },
-      *texels);
+      encoded, format, name, encoding, [&](std::uint64_t bytes) { claim_texel_memory(claim, name, bytes); }, *texels);
   return texels;
 }
 

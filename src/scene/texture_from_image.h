@@ -20,9 +20,8 @@ enum class TexelEncoding {
 inline constexpr int kMaxTextureSide_px = 32768;
 inline constexpr std::uint64_t kMaxTexels = std::uint64_t{1} << 28;
 
-/// Decodes an image file in memory (PNG, JPEG, WebP, BMP, TGA, HDR, EXR, TIFF...; recognised by content, and by the
-/// extension of `name` where the content does not tell). Row 0 is the top row. One and two channels become grey and
-/// grey-alpha; missing alpha is 1; alpha is not premultiplied. 8-bit images get TEXTURE_FORMAT_SRGB8 or
+/// Decodes an image file in memory, in a format that encoded_format knows. Row 0 is the top row. One and two channels
+/// become grey and grey-alpha; missing alpha is 1; alpha is not premultiplied. 8-bit images get TEXTURE_FORMAT_SRGB8 or
 /// TEXTURE_FORMAT_LINEAR8 as `encoding` says; deeper ones TEXTURE_FORMAT_FLOAT in linear light (integer colours of
 /// encoding srgb are decoded). Only the first subimage is read. NaN and infinity in float images become 0. Throws
 /// Error(refused) "`name`: what is wrong" for an empty, broken, unknown or too large image, MemoryError where the host

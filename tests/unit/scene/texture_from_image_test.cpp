@@ -114,6 +114,72 @@ TEST(TextureFromImage, refuses_what_is_no_image) {
   expect_refused([&] { decode_texels({}, "image 3", TexelEncoding::srgb); }, "image 3: ");
 }
 
+TEST(TextureFromImage, refuses_a_jpeg_that_is_cut) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("a.jpg", "");
+  OIIO::ImageSpec spec(64, 64, 3, OIIO::TypeDesc::UINT8);
+  Bytes noise(std::size_t{3} * 64 * 64);
+  for (std::size_t i = 0; i < noise.size(); ++i) noise[i] = static_cast<std::uint8_t>(i * i * 7 % 251);
+  for (const int progressive : {0, 1}) {
+    spec.attribute("jpeg:progressive", progressive);
+    const auto output = OIIO::ImageOutput::create(path);
+    ASSERT_TRUE(output->open(path, spec) && output->write_image(spec.format, noise.data()) && output->close());
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(file)), {});
+    const std::string half = bytes.substr(0, bytes.size() / 2);
+    EXPECT_NO_THROW(decode_texels_from_file(folder.write("whole.jpg", bytes), TexelEncoding::srgb));
+    for (const std::string& cut : {half, half + "\xff\xd9"}) {  // with an end of image, too
+      expect_refused([&] { decode_texels_from_file(folder.write("cut.jpg", cut), TexelEncoding::srgb); },
+                     "remature end");
+    }
+  }
+}
+
+TEST(TextureFromImage, refuses_formats_whose_readers_cannot_be_trusted) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.sgi", "a.iff", "a.dpx", "a.psd"}) {
+    expect_refused([&] { decode_texels_from_file(folder.write(name, "8BPS of some kind"), TexelEncoding::srgb); },
+                   "not an image in a format that can be read");
+  }
+}
+
+/// A TGA image of 2 x 1 indices into a palette of `colors` colours, the first of which is number `first`.
+std::string palette_tga(char first, char colors, const std::string& indices) {
+  return std::string("\0\1\1", 3) + first + '\0' + colors + std::string("\0\x18\0\0\0\0\2\0\1\0\x08\0", 12) +
+         std::string(std::size_t(3) * std::size_t(colors), '\x40') + indices;
+}
+
+TEST(TextureFromImage, refuses_colours_beyond_a_palette) {
+  const TemporaryFolder folder;
+  const auto decode = [&](const std::string& bytes) {
+    return decode_texels_from_file(folder.write("a.tga", bytes), TexelEncoding::srgb);
+  };
+  EXPECT_EQ(decode(palette_tga(0, 2, "\1\1"))->words, (Words{0xFF404040u, 0xFF404040u}));
+  expect_refused([&] { decode(palette_tga(0, 2, "\1\2")); }, "outside its palette");
+  expect_refused([&] { decode(palette_tga(1, 2, "\1\1")); }, "outside its palette");
+  std::string packed = palette_tga(0, 2, std::string("\x81\2", 2));
+  packed[2] = '\x09';
+  expect_refused([&] { decode(packed); }, "outside its palette");
+}
+
+/// A DDS image of 1 x 1 texels of 32 bits with these masks of red, green and blue.
+std::string plain_dds(const std::string& red, const std::string& green, const std::string& blue) {
+  std::string bytes = std::string("DDS \x7c\0\0\0\x07\x10\0\0\1\0\0\0\1\0\0\0", 20) + std::string(56, '\0') +
+                      std::string("\x20\0\0\0\x40\0\0\0\0\0\0\0\x20\0\0\0", 16) + red + green + blue;
+  bytes.resize(109, '\0');
+  return bytes + std::string("\x10", 1) + std::string(18, '\0') + "\1\2\3\4";
+}
+
+TEST(TextureFromImage, reads_plain_dds_and_refuses_masks_of_nothing) {
+  const std::string low("\xff\0\0\0", 4), middle("\0\xff\0\0", 4), high("\0\0\xff\0", 4), none(4, '\0');
+  const auto decode = [](const std::string& bytes) {
+    return decode_texels(std::as_bytes(std::span(bytes)), "image 0", TexelEncoding::srgb);
+  };
+  EXPECT_EQ(decode(plain_dds(low, middle, high))->words, (Words{0xFF030201u}));
+  EXPECT_EQ(decode(plain_dds(high, middle, low))->words, (Words{0xFF010203u}));
+  expect_refused([&] { decode(plain_dds(low, none, high)); }, "DDS images are read with");
+}
+
 TEST(TextureFromImage, refuses_a_huge_image_by_its_header) {
   const TemporaryFolder folder;
   // A BMP header that promises 40000 x 40000 texels.
