@@ -64,11 +64,15 @@ vec4 tangent_frame(IN(TrianglePoint) point, IN(vec3) normal, IN(DeviceTextureUse
   uint texel = uv_texel(use.uv_set);
   if (texel == NONE) return vec4(0.0f);
   vec2 uv0 = uv_of_set(vertex_attribute(point.vertices.x, texel), use.uv_set);
-  vec2 d1 = along_image(use, uv_of_set(vertex_attribute(point.vertices.y, texel), use.uv_set) - uv0);
-  vec2 d2 = along_image(use, uv_of_set(vertex_attribute(point.vertices.z, texel), use.uv_set) - uv0);
-  precise float area = d1.x * d2.y - d1.y * d2.x;
-  if (area == 0.0f || !is_finite(area)) return vec4(0.0f);
-  float side = area < 0.0f ? -1.0f : 1.0f;
+  vec2 uv1 = uv_of_set(vertex_attribute(point.vertices.y, texel), use.uv_set) - uv0;
+  vec2 uv2 = uv_of_set(vertex_attribute(point.vertices.z, texel), use.uv_set) - uv0;
+  // As the mesh has them: turned, differences without area would have some by rounding.
+  precise float area = uv1.x * uv2.y - uv1.y * uv2.x;
+  precise float turn = use.m00 * use.m11 - use.m01 * use.m10;
+  if (area == 0.0f || turn == 0.0f || !is_finite(area) || !is_finite(turn)) return vec4(0.0f);
+  float side = (area < 0.0f) == (turn < 0.0f) ? 1.0f : -1.0f;
+  vec2 d1 = along_image(use, uv1);
+  vec2 d2 = along_image(use, uv2);
   vec3 t = (point.e1 * d2.y - point.e2 * d1.y) * side;
   return vec4(unit_vector(t - normal * dot_product(normal, t)), -side * handedness);
 }

@@ -154,7 +154,9 @@ vec4 vertex_color(IN(TrianglePoint) point) {
   uint texel = steering_constants().color_texel;
   if (!effect_on(EFFECT_VERTEX_COLORS) || texel == NONE) return vec4(1.0f);
   note_run(EFFECT_VERTEX_COLORS);
-  return interpolated(point, texel);
+  // From corner 0, so that three equal ones give what they are: an opacity of 1 is none below a cutoff of 1.
+  vec4 c0 = vertex_attribute(point.vertices.x, texel);
+  return c0 + (vertex_attribute(point.vertices.y, texel) - c0) * point.b1 + (vertex_attribute(point.vertices.z, texel) - c0) * point.b2;
 }
 
 #endif

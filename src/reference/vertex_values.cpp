@@ -30,9 +30,10 @@ glm::dvec2 uv_at(const Scene& scene, const Triangle& triangle, const glm::dvec3&
 glm::dvec4 color_at(const Scene& scene, const Triangle& triangle, const glm::dvec3& weights) {
   const std::vector<glm::vec4>& colors = mesh_of(scene, triangle).colors;
   if (colors.empty()) return glm::dvec4(1.0);
-  glm::dvec4 sum(0.0);
-  for (int corner = 0; corner < 3; ++corner) sum += weights[corner] * glm::dvec4(colors[triangle.vertices[corner]]);
-  return sum;
+  // From corner 0: three equal ones give what they are.
+  const glm::dvec4 first(colors[triangle.vertices[0]]);
+  return first + weights.y * (glm::dvec4(colors[triangle.vertices[1]]) - first) +
+         weights.z * (glm::dvec4(colors[triangle.vertices[2]]) - first);
 }
 
 glm::dvec4 texture_at(const Scene& scene, const Triangle& triangle, const glm::dvec3& weights, std::size_t slot) {

@@ -1,5 +1,6 @@
 #include "scene/environment_harmonics.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -23,12 +24,11 @@ constexpr std::array<double, 9> kFolded = {1.0 / (4.0 * pi),  // 1
                                            0.25 * 15.0 / (4.0 * pi),
                                            0.25 * 15.0 / (16.0 * pi)};  // xz x^2 - y^2
 
-// Integrals over a column of texels, phi = atan2(x, -z): x = sin(theta) sin(phi), z = -sin(theta) cos(phi).
-struct ColumnIntegrals {
-  double one, s, c, sc, ss, cc;
-};
+using Integrals = std::array<double, 6>;
 
-ColumnIntegrals column_integrals(std::uint32_t column, std::uint32_t count) {
+// Over one of `count` columns, phi = atan2(x, -z), x = sin(theta) sin(phi), z = -sin(theta) cos(phi): of 1, sin, cos,
+// sin cos, sin^2, cos^2.
+Integrals column_integrals(std::uint32_t column, std::uint32_t count) {
   const double a = 2.0 * pi * (column / double(count) - 0.5);
   const double b = 2.0 * pi * ((column + 1) / double(count) - 0.5);
   const double twice = 0.25 * (std::sin(2.0 * b) - std::sin(2.0 * a));
@@ -40,12 +40,8 @@ ColumnIntegrals column_integrals(std::uint32_t column, std::uint32_t count) {
           0.5 * (b - a) + twice};
 }
 
-// Integrals over a row of texels with the sin(theta) of the solid angle: of 1, y, y^2, sin, sin y, sin^2.
-struct RowIntegrals {
-  double one, y, yy, s, sy, ss;
-};
-
-RowIntegrals row_integrals(std::uint32_t row, std::uint32_t count) {
+// Over one of `count` rows, with the sin(theta) of the solid angle: of 1, y, y^2, sin, sin y, sin^2.
+Integrals row_integrals(std::uint32_t row, std::uint32_t count) {
   const double a = pi * row / double(count);
   const double b = pi * (row + 1) / double(count);
   const auto powers = [](double angle) { return glm::dvec2(std::cos(angle), std::sin(angle)); };
@@ -61,21 +57,43 @@ RowIntegrals row_integrals(std::uint32_t row, std::uint32_t count) {
           one - yy};
 }
 
+// The integrals of each of `count` texels along an axis, weighed as the bilinear look-up weighs it: by a hat that
+// reaches to the middle of its neighbours. The hat is a step for each of some cells, which add up to 1.
+template <typename CellIntegrals>
+std::vector<Integrals> hat_integrals(std::uint32_t count, bool repeats, const CellIntegrals& of_cell) {
+  constexpr std::uint32_t kLeastCells = 1024;
+  const std::uint32_t half = std::max((kLeastCells + 2 * count - 1) / (2 * count), 1u);  // cells of half a texel
+  const std::uint32_t cells = 2 * half * count;
+  std::vector<Integrals> sums(count, Integrals{});
+  for (std::uint32_t cell = 0; cell < cells; ++cell) {
+    const Integrals part = of_cell(cell, cells);
+    const double place = (cell + 0.5) / (2.0 * half) + 0.5;  // 1 in the middle of texel 0
+    const auto upper = static_cast<std::uint32_t>(place);
+    const double share = place - upper;
+    const std::uint32_t before = upper == 0 ? (repeats ? count - 1 : 0) : upper - 1;
+    const std::uint32_t after = upper == count ? (repeats ? 0 : count - 1) : upper;
+    for (std::size_t i = 0; i < part.size(); ++i) {
+      sums[before][i] += (1.0 - share) * part[i];
+      sums[after][i] += share * part[i];
+    }
+  }
+  return sums;
+}
+
 // The basis of the header, integrated over one texel.
-std::array<double, 9> texel_integrals(const RowIntegrals& row, const ColumnIntegrals& column) {
-  const double xx = row.ss * column.ss;
-  const double yy = row.yy * column.one;
-  const double zz = row.ss * column.cc;
-  const double one = row.one * column.one;
+std::array<double, 9> texel_integrals(const Integrals& row, const Integrals& column) {
+  const auto& [row_one, y, yy, s, sy, ss] = row;
+  const auto& [column_one, sin, cos, sin_cos, sin_sin, cos_cos] = column;
+  const double one = row_one * column_one;
   return {one,
-          row.y * column.one,
-          -row.s * column.c,
-          row.s * column.s,
-          row.sy * column.s,
-          -row.sy * column.c,
-          3.0 * zz - one,
-          -row.ss * column.sc,
-          xx - yy};
+          y * column_one,
+          -s * cos,
+          s * sin,
+          sy * sin,
+          -sy * cos,
+          3.0 * ss * cos_cos - one,
+          -ss * sin_cos,
+          ss * sin_sin - yy * column_one};
 }
 
 glm::dvec3 finite_color(const Texels& texels, std::size_t index) {
@@ -87,14 +105,13 @@ glm::dvec3 finite_color(const Texels& texels, std::size_t index) {
 }
 
 Coefficients image_coefficients(const Texels& texels) {
-  std::vector<ColumnIntegrals> columns;
-  for (std::uint32_t x = 0; x < texels.width; ++x) columns.push_back(column_integrals(x, texels.width));
+  const std::vector<Integrals> columns = hat_integrals(texels.width, true, column_integrals);
+  const std::vector<Integrals> rows = hat_integrals(texels.height, false, row_integrals);
   Coefficients sums{};
   for (std::uint32_t y = 0; y < texels.height; ++y) {
-    const RowIntegrals row = row_integrals(y, texels.height);
     for (std::uint32_t x = 0; x < texels.width; ++x) {
       const glm::dvec3 color = finite_color(texels, std::size_t{y} * texels.width + x);
-      const std::array<double, 9> weights = texel_integrals(row, columns[x]);
+      const std::array<double, 9> weights = texel_integrals(rows[y], columns[x]);
       for (std::size_t i = 0; i < 9; ++i) sums[i] += weights[i] * color;
     }
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <functional>
@@ -72,6 +73,19 @@ TEST(AmbientHarmonics, SmallLampShinesFromItsDirection) {
       EXPECT_NEAR(mean_radiance(c, n), expected, 2e-4 * 1000.0 * solid_angle);
     }
   }
+}
+
+TEST(AmbientHarmonics, SmallImagesCountAsTheyAreLookedUp) {
+  // One bright texel of 4 x 2, bilinear: over all directions the mean of its hat along u, 1/4, times that along v,
+  // which is 1 above the middle of its row and falls to 0 at the middle of the other.
+  constexpr int kSteps = 20000;
+  double along_v = 0.0;
+  for (int step = 0; step < kSteps; ++step) {
+    const double v = (step + 0.5) / kSteps;
+    along_v += std::clamp(2.0 * (0.75 - v), 0.0, 1.0) * std::sin(kPi * v) * kPi / (2.0 * kSteps);
+  }
+  const auto lamp = [](auto x, auto y) { return x == 1 && y == 0 ? 8.0f : 0.0f; };
+  EXPECT_NEAR(ambient_harmonics(image_scene(4, 2, lamp))[0].r, 8.0 * 0.25 * along_v, 1e-5);
 }
 
 TEST(AmbientHarmonics, NonFiniteTexelsCountAsNothing) {
