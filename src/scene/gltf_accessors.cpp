@@ -169,6 +169,13 @@ std::size_t gltf_component_count(int type) {
   return count > 0 ? static_cast<std::size_t>(count) : 0;
 }
 
+void check_element_count(const GltfDocument& document, const std::string& place, std::size_t count,
+                         std::size_t vertex_count) {
+  if (count == vertex_count) return;
+  refuse_gltf(document, place,
+              std::to_string(count) + " elements do not go with " + std::to_string(vertex_count) + " vertices");
+}
+
 std::vector<std::byte> read_gltf_elements(const GltfDocument& document, int index, const std::string& asker) {
   const tinygltf::Accessor& accessor = accessor_at(document, index);
   const std::string place = accessor_place(asker, index);

@@ -20,6 +20,10 @@ std::size_t gltf_component_count(int type);
 // no bufferView (at most 2^26 bytes of them), and throw Error(refused) "file: place: accessor N: ..." for another
 // element type, bytes beyond the bufferView, a sparse index out of range or more than kMaxGltfBytes.
 
+/// Throws Error(refused) where an attribute of `count` elements does not go with `vertex_count` vertices.
+void check_element_count(const GltfDocument& document, const std::string& place, std::size_t count,
+                         std::size_t vertex_count);
+
 /// Elements as bytes without gaps, in order: [count][components].
 std::vector<std::byte> read_gltf_elements(const GltfDocument& document, int accessor, const std::string& place);
 

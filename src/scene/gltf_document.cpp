@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "error.h"
+#include "image/file_format.h"
 #include "scene/gltf_container.h"
 #include "scene/gltf_extensions.h"
 #include "scene/gltf_json.h"
@@ -44,9 +45,11 @@ std::string string_member(const json& object, const char* name) {
 }
 
 bool is_fallback_buffer(const json& buffer) {
-  const json::json_pointer fallback("/extensions/EXT_meshopt_compression");
-  return buffer.contains(fallback) && buffer.at(fallback).is_object() &&
-         buffer.at(fallback).value("fallback", json()) == json(true);
+  return std::ranges::any_of(kMeshoptExtensions, [&](const char* name) {
+    const json::json_pointer fallback(std::string("/extensions/") + name);
+    return buffer.contains(fallback) && buffer.at(fallback).is_object() &&
+           buffer.at(fallback).value("fallback", json()) == json(true);
+  });
 }
 
 GltfBuffer load_buffer(GltfDocument& document, const json& json_buffer, std::size_t index,
@@ -155,13 +158,6 @@ void parse_model(GltfDocument& document, json& root) {
   take_views_back(document.model, lent);
 }
 
-bool has_binary_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension == ".glb";
-}
-
 void check_names(const GltfDocument& document, const json& root, const char* name) {
   const auto found = root.find(name);
   if (found == root.end()) return;
@@ -200,7 +196,7 @@ GltfDocument parse_gltf_document(std::span<const std::byte> file, const std::str
   document.path = path;
   document.directory = std::filesystem::path(path).parent_path().string();
   document.strict = options.strict;
-  const GltfContainer container = split_gltf_container(file, path, has_binary_extension(path));
+  const GltfContainer container = split_gltf_container(file, path, lower_case_extension(path) == ".glb");
   GltfJson parsed = parse_gltf_json(container.json, path);
 
   // tinygltf passes over what is no list of names.

@@ -7,7 +7,7 @@
 namespace vernier {
 namespace {
 
-constexpr std::array<std::string_view, 17> kSupported = {"KHR_lights_punctual",
+constexpr std::array<std::string_view, 18> kSupported = {"KHR_lights_punctual",
                                                          "KHR_materials_ior",
                                                          "KHR_materials_transmission",
                                                          "KHR_materials_volume",
@@ -22,6 +22,7 @@ constexpr std::array<std::string_view, 17> kSupported = {"KHR_lights_punctual",
                                                          "EXT_texture_webp",
                                                          "KHR_draco_mesh_compression",
                                                          "EXT_meshopt_compression",
+                                                         "KHR_meshopt_compression",
                                                          "KHR_xmp",
                                                          "KHR_xmp_json_ld"};  // the last two: metadata, nothing to see
 

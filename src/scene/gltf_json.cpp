@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "error.h"
 
@@ -84,22 +85,64 @@ void normalise_number(json& number, const std::string& key) {
   }
 }
 
-/// Members that are indices or sizes: whole numbers from 0, where they are no objects or lists.
-constexpr std::array<std::string_view, 20> kWholeNumbers = {
-    "buffer", "bufferView", "byteLength", "byteOffset", "byteStride", "camera",   "componentType",
-    "count",  "index",      "indices",    "material",   "mesh",       "mode",     "inverseBindMatrices",
-    "scene",  "skeleton",   "skin",       "source",     "sampler",    "texCoord",
+/// Members that are indices, sizes or enumerators: whole numbers from 0.
+constexpr std::array<std::string_view, 24> kWholeNumbers = {
+    "buffer",
+    "bufferView",
+    "byteLength",
+    "byteOffset",
+    "byteStride",
+    "camera",
+    "count",
+    "index",
+    "indices",
+    "material",
+    "mesh",
+    "mode",
+    "scene",
+    "skeleton",
+    "skin",
+    "source",
+    "sampler",
+    "texCoord",
+    "magFilter",
+    "minFilter",
+    "wrapS",
+    "wrapT",
+    "inverseBindMatrices",
+    "componentType",
 };
 
-/// Members that are numbers or lists of them. (Bounds of accessors are not looked at: exporters write null for NaN.)
-constexpr std::array<std::string_view, 17> kNumbers = {
-    "alphaCutoff",    "aspectRatio", "baseColorFactor",
-    "emissiveFactor", "matrix",      "metallicFactor",
-    "rotation",       "scale",       "roughnessFactor",
-    "strength",       "translation", "weights",
-    "xmag",           "yfov",        "ymag",
-    "zfar",           "znear",
+/// Lists of them, by the member that holds the object they are in.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kWholeNumberLists = {
+    {{"scenes", "nodes"}, {"nodes", "children"}, {"skins", "joints"}}};
+
+constexpr std::array<std::string_view, 14> kObjectLists = {
+    "accessors", "buffers",  "bufferViews", "cameras", "images",  "materials", "meshes",
+    "nodes",     "samplers", "scenes",      "skins",   "targets", "textures",  "primitives",
 };
+
+constexpr std::array<std::string_view, 8> kObjects = {
+    "attributes",    "baseColorTexture", "emissiveTexture",      "metallicRoughnessTexture",
+    "normalTexture", "occlusionTexture", "pbrMetallicRoughness", "sparse",
+};
+
+/// Members that are a number. (Bounds of accessors are not looked at: exporters write null for NaN.)
+constexpr std::array<std::string_view, 11> kNumbers = {
+    "alphaCutoff", "aspectRatio", "metallicFactor", "roughnessFactor", "scale", "strength", "xmag",
+    "yfov",        "ymag",        "zfar",           "znear",
+};
+
+/// Lists of numbers, by the member that holds the object they are in. (How many is looked at later.)
+constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kNumberLists = {
+    {{"nodes", "matrix"},
+     {"nodes", "rotation"},
+     {"nodes", "scale"},
+     {"nodes", "translation"},
+     {"nodes", "weights"},
+     {"meshes", "weights"},
+     {"materials", "emissiveFactor"},
+     {"pbrMetallicRoughness", "baseColorFactor"}}};
 
 /// "material 3" for element 3 of `materials`.
 std::string element_name(const std::string& array, std::size_t index) {
@@ -129,17 +172,43 @@ bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
   return std::ranges::find(names, name) != names.end();
 }
 
+bool is_list_of(const json& member, bool (*holds)(const json&)) {
+  return member.is_array() && std::ranges::all_of(member, holds);
+}
+
+bool is_whole(const json& member) {
+  return member.is_number_unsigned();
+}
+bool is_number(const json& member) {
+  return member.is_number();
+}
+bool is_object(const json& member) {
+  return member.is_object();
+}
+
+bool is_one_of(const std::string& key, const std::string& name,
+               std::span<const std::pair<std::string_view, std::string_view>> members) {
+  return std::ranges::find(members, std::pair<std::string_view, std::string_view>(key, name)) != members.end();
+}
+
 /// What member `name` of an object that is called `key` is not, or empty.
 std::string missed_type(const std::string& key, const std::string& name, const json& member) {
-  const bool is_list = member.is_array() || member.is_object();
-  if (!is_list && is_one_of(name, kWholeNumbers) && !member.is_number_unsigned()) return "a whole number from 0";
+  const bool is_attribute = key == "attributes" || key == "targets";
+  if (is_attribute || (is_one_of(name, kWholeNumbers) && !(key == "sparse" && name == "indices"))) {
+    if (!is_whole(member)) return "a whole number from 0";
+  }
   constexpr double kIntMax = std::numeric_limits<std::int32_t>::max();
-  if (key == "sparse" && name == "count" && member.is_number() && member.get<double>() > kIntMax)
-    return "a number below 2^31";
-  const auto is_number = [](const json& one) { return one.is_number(); };
-  const bool has_numbers =
-      member.is_null() || member.is_number() || (member.is_array() && std::ranges::all_of(member, is_number));
-  return is_one_of(name, kNumbers) && !has_numbers ? "a number or a list of numbers" : "";
+  if (key == "sparse" && name == "count" && member.get<double>() > kIntMax) return "a number below 2^31";
+  if (is_one_of(key, name, kWholeNumberLists)) {
+    return is_list_of(member, is_whole) ? "" : "a list of whole numbers from 0";
+  }
+  if (is_one_of(name, kObjectLists) && (key.empty() || key == "meshes" || key == "primitives")) {
+    return is_list_of(member, is_object) ? "" : "a list of objects";
+  }
+  if (member.is_null()) return "";  // what some exporters write for what they do not know
+  if (is_one_of(name, kObjects)) return member.is_object() ? "" : "an object";
+  if (is_one_of(key, name, kNumberLists)) return is_list_of(member, is_number) ? "" : "a list of numbers";
+  return is_one_of(name, kNumbers) && !member.is_number() ? "a number" : "";
 }
 
 // A parser further down takes what is below 0 or no number for not given. Extensions have members of their own.

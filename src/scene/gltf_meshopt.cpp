@@ -2,6 +2,9 @@
 
 #include <meshoptimizer.h>
 
+#include <algorithm>
+
+#include "scene/gltf_extensions.h"
 #include "scene/gltf_references.h"
 #include "scene/gltf_values.h"
 
@@ -25,9 +28,10 @@ std::string text_member(const tinygltf::Value& object, const char* name, const c
   return object.Has(name) && object.Get(name).IsString() ? object.Get(name).Get<std::string>() : otherwise;
 }
 
-CompressedView describe(const GltfDocument& document, std::size_t view, const tinygltf::Value& extension) {
+CompressedView describe(const GltfDocument& document, std::size_t view, const char* name,
+                        const tinygltf::Value& extension) {
   CompressedView compressed;
-  compressed.place = "bufferView " + std::to_string(view) + ", EXT_meshopt_compression";
+  compressed.place = "bufferView " + std::to_string(view) + ", " + name;
   const int buffer_index = gltf_index(extension, "buffer", -1);
   check_gltf_index(document, compressed.place, "buffer", buffer_index, document.buffers.size());
   const GltfBuffer& buffer = *document.buffers[static_cast<std::size_t>(buffer_index)];
@@ -92,9 +96,10 @@ void apply_filter(const CompressedView& view, std::vector<std::byte>& decoded) {
 void expand_gltf_meshopt(GltfDocument& document) {
   for (std::size_t i = 0; i < document.model.bufferViews.size(); ++i) {
     tinygltf::BufferView& view = document.model.bufferViews[i];
-    const tinygltf::Value* extension = find_gltf_extension(view.extensions, "EXT_meshopt_compression");
-    if (extension == nullptr) continue;
-    const CompressedView compressed = describe(document, i, *extension);
+    const auto name = std::ranges::find_if(
+        kMeshoptExtensions, [&](const char* one) { return find_gltf_extension(view.extensions, one) != nullptr; });
+    if (name == kMeshoptExtensions.end()) continue;
+    const CompressedView compressed = describe(document, i, *name, *find_gltf_extension(view.extensions, *name));
     if (!parameters_fit(compressed) || !filter_fits(compressed)) {
       refuse_gltf(document, compressed.place,
                   "mode " + compressed.mode + ", filter " + compressed.filter + " do not go with count and byteStride");

@@ -95,22 +95,25 @@ std::vector<glm::dmat4> gltf_world_matrices(const GltfDocument& document) {
   return world_from_node;
 }
 
-std::vector<int> gltf_scene_nodes(const GltfDocument& document) {
+GltfSceneNodes gltf_scene_nodes(const GltfDocument& document) {
   const tinygltf::Model& model = document.model;
   const std::size_t scene = model.defaultScene < 0 ? 0 : static_cast<std::size_t>(model.defaultScene);
   const std::vector<int> roots = model.scenes.empty() ? roots_of(model) : model.scenes[scene].nodes;
   std::vector<bool> is_met(model.nodes.size(), false);
+  std::vector<bool> is_hidden(model.nodes.size(), false);  // by itself or by one above
   std::vector<int> pending(roots.rbegin(), roots.rend());
-  std::vector<int> met;
+  GltfSceneNodes met;
   while (!pending.empty()) {
     const int index = pending.back();
     pending.pop_back();
     const auto node = static_cast<std::size_t>(index);
     if (is_met[node]) refuse_gltf(document, "node " + std::to_string(index), "the scene reaches it twice");
     is_met[node] = true;
-    if (!is_visible(model.nodes[node])) continue;  // nor are those below
-    met.push_back(index);
+    if (!is_visible(model.nodes[node])) is_hidden[node] = true;
+    met.all.push_back(index);
+    if (!is_hidden[node]) met.visible.push_back(index);
     const std::vector<int>& children = model.nodes[node].children;
+    for (const int child : children) is_hidden[static_cast<std::size_t>(child)] = is_hidden[node];
     pending.insert(pending.end(), children.rbegin(), children.rend());
   }
   return met;

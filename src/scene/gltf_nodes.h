@@ -12,9 +12,15 @@ namespace vernier {
 /// last row is not (0, 0, 0, 1) within 1e-6.
 std::vector<glm::dmat4> gltf_world_matrices(const GltfDocument& document);
 
-/// Numbers of the nodes shown, parents before children, depth first: those of the default scene, without one of
-/// scene 0, without scenes of all roots. Throws Error(refused) where a node is reached twice.
-std::vector<int> gltf_scene_nodes(const GltfDocument& document);
+/// Nodes of a scene by number, parents before children, depth first.
+struct GltfSceneNodes {
+  std::vector<int> all;
+  std::vector<int> visible;  ///< by KHR_node_visibility, which hides meshes and lights, but no camera
+};
+
+/// The nodes of the default scene, without one of scene 0, without scenes of all roots. Throws Error(refused) where a
+/// node is reached twice.
+GltfSceneNodes gltf_scene_nodes(const GltfDocument& document);
 
 /// node_from_instance of EXT_mesh_gpu_instancing, in order; one identity where `node` does not carry it.
 std::vector<glm::dmat4> gltf_node_instances(const GltfDocument& document, int node);

@@ -13,13 +13,6 @@ int find_attribute(const tinygltf::Primitive& primitive, const std::string& name
   return found == primitive.attributes.end() ? -1 : found->second;
 }
 
-void check_count(const GltfDocument& document, const std::string& place, std::size_t count, std::size_t vertex_count) {
-  if (count != vertex_count) {
-    refuse_gltf(document, place,
-                std::to_string(count) + " elements do not go with " + std::to_string(vertex_count) + " positions");
-  }
-}
-
 bool is_ignored_set(const std::string& name) {
   if (name == "COLOR_0") return false;
   if (name.starts_with("COLOR_")) return true;
@@ -60,23 +53,23 @@ Mesh read_gltf_vertices(GltfDocument& document, const tinygltf::Primitive& primi
   const std::size_t count = vertices.positions.size();
   if (const int normal = find_attribute(primitive, "NORMAL"); normal >= 0) {
     vertices.normals = read_gltf_vectors<3>(document, normal, place + ", NORMAL");
-    check_count(document, place + ", NORMAL", vertices.normals.size(), count);
+    check_element_count(document, place + ", NORMAL", vertices.normals.size(), count);
   }
   // glTF 2.0, 3.7.2.1: without normals they are ignored.
   if (const int tangent = find_attribute(primitive, "TANGENT"); tangent >= 0 && !vertices.normals.empty()) {
     vertices.tangents = read_gltf_vectors<4>(document, tangent, place + ", TANGENT");
-    check_count(document, place + ", TANGENT", vertices.tangents.size(), count);
+    check_element_count(document, place + ", TANGENT", vertices.tangents.size(), count);
   }
   if (const int color = find_attribute(primitive, "COLOR_0"); color >= 0) {
     vertices.colors = read_gltf_colors(document, color, place + ", COLOR_0");
-    check_count(document, place + ", COLOR_0", vertices.colors.size(), count);
+    check_element_count(document, place + ", COLOR_0", vertices.colors.size(), count);
   }
   for (std::size_t set = 0; set < kUvSetCount; ++set) {
     const std::string name = "TEXCOORD_" + std::to_string(set);
     const int uv = find_attribute(primitive, name);
     if (uv < 0) continue;
     vertices.uvs[set] = read_gltf_vectors<2>(document, uv, place + ", " + name);
-    check_count(document, place + ", " + name, vertices.uvs[set].size(), count);
+    check_element_count(document, place + ", " + name, vertices.uvs[set].size(), count);
   }
   for (const auto& [name, accessor] : primitive.attributes) {
     if (is_ignored_set(name)) unsupported_gltf(document, place, "attribute " + name + " is ignored");

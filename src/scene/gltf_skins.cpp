@@ -7,13 +7,6 @@
 namespace vernier {
 namespace {
 
-void check_count(const GltfDocument& document, const std::string& place, std::size_t count, std::size_t vertex_count) {
-  if (count != vertex_count) {
-    refuse_gltf(document, place,
-                std::to_string(count) + " elements do not go with " + std::to_string(vertex_count) + " vertices");
-  }
-}
-
 /// The matrix that carries normals where `matrix` carries points, up to a positive factor; also for a singular one.
 glm::dmat3 normal_matrix(const glm::dmat3& matrix) {
   const glm::dmat3 cofactors(glm::cross(matrix[1], matrix[2]), glm::cross(matrix[2], matrix[0]),
@@ -36,8 +29,8 @@ std::vector<Influence> read_influences(const GltfDocument& document, const tinyg
     const std::string set_place = place + ", JOINTS_" + std::to_string(set);
     influences.push_back({read_gltf_joints(document, joints->second, set_place),
                           read_gltf_vectors<4>(document, weights->second, set_place)});
-    check_count(document, set_place, influences.back().joints.size(), vertex_count);
-    check_count(document, set_place, influences.back().weights.size(), vertex_count);
+    check_element_count(document, set_place, influences.back().joints.size(), vertex_count);
+    check_element_count(document, set_place, influences.back().weights.size(), vertex_count);
   }
 }
 
@@ -77,7 +70,7 @@ void apply_gltf_morph_targets(GltfDocument& document, const tinygltf::Primitive&
         continue;
       }
       const std::vector<glm::vec3> offsets = read_gltf_vectors<3>(document, accessor, target_place);
-      check_count(document, target_place, offsets.size(), count);
+      check_element_count(document, target_place, offsets.size(), count);
       for (std::size_t v = 0; v < count; ++v) {
         if (name == "POSITION") vertices.positions[v] += weight * offsets[v];
         if (name == "NORMAL" && !vertices.normals.empty()) vertices.normals[v] += weight * offsets[v];

@@ -22,6 +22,10 @@ void add_instances(GltfDocument& document, const std::vector<int>& nodes,
     const std::uint32_t mesh = gltf_mesh_of_node(document, index, world_from_node, meshes, scene);
     const std::string& name = node.name.empty() ? scene.meshes[mesh].name : node.name;
     if (node.skin >= 0) {  // the joints have placed it; the node's own transform is ignored
+      if (node.extensions.contains("EXT_mesh_gpu_instancing")) {
+        unsupported_gltf(document, "node " + std::to_string(index),
+                         "EXT_mesh_gpu_instancing is ignored on a mesh with a skin");
+      }
       scene.instances.push_back({name, mesh, glm::dmat4(1.0)});
       continue;
     }
@@ -52,20 +56,20 @@ LoadingScene scene_of_document(GltfDocument document) {
   expand_gltf_meshopt(document);
   expand_gltf_draco(document);
   const std::vector<glm::dmat4> world_from_node = gltf_world_matrices(document);
-  const std::vector<int> nodes = gltf_scene_nodes(document);
+  const GltfSceneNodes nodes = gltf_scene_nodes(document);
 
   LoadingScene loading;
   Scene& scene = loading.scene;
   scene.source = document.path;
   GltfMeshes meshes;
-  add_instances(document, nodes, world_from_node, meshes, scene);
+  add_instances(document, nodes.visible, world_from_node, meshes, scene);
   report_skipped(document, meshes);
   if (meshes.triangle_count == 0 || scene.instances.empty()) {
     refuse_gltf(document, "", "the scene has no triangles to show");
   }
   add_materials(document, meshes, loading);
-  scene.cameras = gltf_cameras(document, nodes, world_from_node);
-  scene.lights = gltf_lights(document, nodes, world_from_node);
+  scene.cameras = gltf_cameras(document, nodes.all, world_from_node);
+  scene.lights = gltf_lights(document, nodes.visible, world_from_node);
   scene.files = std::move(document.files);
   scene.warnings = std::move(document.warnings);
   return loading;

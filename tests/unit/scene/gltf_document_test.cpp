@@ -115,9 +115,16 @@ TEST(GltfDocument, numbers_are_numbers) {
     file.json[nlohmann::json::json_pointer(pointer)] = value;
     expect_refused(file, message);
   };
-  refusal("/nodes/0/translation", "abc", "node 0: translation is \"abc\", not a number or a list of numbers");
-  refusal("/nodes/0/scale", {1, "2", 3}, "node 0: scale is [1,\"2\",3], not a number or a list of numbers");
+  refusal("/nodes/0/translation", "abc", "node 0: translation is \"abc\", not a list of numbers");
+  refusal("/nodes/0/scale", {1, "2", 3}, "node 0: scale is [1,\"2\",3], not a list of numbers");
   refusal("/materials/0/pbrMetallicRoughness/metallicFactor", true, "material 0: metallicFactor is true");
+  refusal("/scenes", {{{"nodes", {0, nullptr}}}}, "scene 0: nodes is [0,null], not a list of whole numbers from 0");
+  refusal("/nodes/0/children", 1, "node 0: children is 1, not a list of whole numbers from 0");
+  refusal("/nodes/0/mesh", nlohmann::json::array(), "node 0: mesh is [], not a whole number from 0");
+  refusal("/meshes/0/primitives", nlohmann::json::object(), "mesh 0: primitives is {}, not a list of objects");
+  refusal("/meshes/0/primitives/0/attributes/POSITION", "0", "mesh 0: POSITION is \"0\", not a whole number from 0");
+  refusal("/materials/0/pbrMetallicRoughness", 1, "material 0: pbrMetallicRoughness is 1, not an object");
+  refusal("/materials/0/emissiveFactor", 1, "material 0: emissiveFactor is 1, not a list of numbers");
   refusal("/accessors/0/sparse", {{"count", 4294967297}}, "accessor 0: count is 4294967297, not a number below 2^31");
 }
 

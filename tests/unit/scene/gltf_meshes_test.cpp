@@ -94,7 +94,7 @@ TEST(GltfMeshes, make_normals_and_tangents_unit_and_leave_none_for_those_without
   EXPECT_EQ(mesh.normals, (std::vector<glm::vec3>{{0, 0, 1}, {0, 0, 0}, {0, 0.6f, 0.8f}}));
   EXPECT_EQ(mesh.tangents, (std::vector<glm::vec4>{{1, 0, 0, -1}, {0, 0, 0, 0}, {0, 1, 0, 1}}));
   attributes["NORMAL"] = file.vec3({0, 0, 1, 0, 0, 1});
-  expect_refused(file, "NORMAL: 2 elements do not go with 3 positions");
+  expect_refused(file, "NORMAL: 2 elements do not go with 3 vertices");
 }
 
 TEST(GltfMeshes, ignore_tangents_without_normals) {

@@ -68,13 +68,15 @@ TEST(GltfNodes, that_are_hidden_hide_what_is_below) {
     return nlohmann::json{{"KHR_node_visibility", {{"visible", value}}}};
   };
   file.json["nodes"] = {{{"mesh", 0}, {"name", "a"}, {"children", {1}}, {"extensions", visibility(false)}},
-                        {{"mesh", 0}, {"name", "b"}, {"extensions", visibility(true)}},
+                        {{"mesh", 0}, {"name", "b"}, {"camera", 0}, {"extensions", visibility(true)}},
                         {{"mesh", 0}, {"name", "c"}, {"extensions", visibility(true)}},
                         {{"mesh", 0}, {"name", "d"}, {"extensions", visibility("no boolean")}}};
   file.json["extensionsUsed"] = {"KHR_node_visibility"};
+  file.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}}};
   const Scene scene = file.load();
   ASSERT_EQ(scene.instances.size(), 2u);
   EXPECT_EQ(scene.instances[0].name + scene.instances[1].name, "cd");
+  EXPECT_EQ(scene.cameras.size(), 1u) << "cameras are seen by nobody anyway";
   EXPECT_TRUE(scene.warnings.empty());
 }
 
