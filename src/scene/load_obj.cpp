@@ -43,7 +43,8 @@ std::optional<std::uint32_t> find_material(const MaterialIndex& index_by_name, c
   return alike == bare.end() ? std::nullopt : std::optional(alike->second);
 }
 
-MaterialChoice choose_materials(Scene& scene, const ObjGeometry& geometry, const MaterialIndex& index_by_name) {
+MaterialChoice choose_materials(Scene& scene, const ObjGeometry& geometry, const MaterialIndex& index_by_name,
+                                const LoadOptions& options) {
   const MaterialIndex bare = without_comments(index_by_name);
   MaterialChoice choice;
   choice.none = static_cast<std::uint32_t>(scene.materials.size());
@@ -56,8 +57,10 @@ MaterialChoice choose_materials(Scene& scene, const ObjGeometry& geometry, const
     if (!found && unknown_count++ == 0) first_unknown = name;
   }
   if (unknown_count > 0) {
-    scene.warnings.push_back(scene.source + ": " + std::to_string(unknown_count) + " materials, first " +
-                             printable(first_unknown) + ", are in no material library and are shown grey");
+    const std::string others = unknown_count == 1 ? " is" : " and " + std::to_string(unknown_count - 1) + " more are";
+    warn_unsupported(
+        scene, options,
+        scene.source + ": material " + printable(first_unknown) + others + " in no material library and shown grey");
   }
   return choice;
 }
@@ -75,7 +78,7 @@ LoadingScene open_obj(const std::string& path, const LoadOptions& options) {
   for (const std::string& line : geometry.unsupported) warn_unsupported(scene, options, path + ": " + line);
   for (const std::string& line : geometry.faults) scene.warnings.push_back(path + ": " + line);
   const auto index_by_name = load_obj_materials(loading, path, geometry.material_libraries, options);
-  const MaterialChoice choice = choose_materials(scene, geometry, index_by_name);
+  const MaterialChoice choice = choose_materials(scene, geometry, index_by_name, options);
   add_obj_meshes(scene, geometry, choice.by_name, choice.none);
   return loading;
 }

@@ -42,19 +42,11 @@ bool ambient_is_diffuse(const MtlMaterial& source) {
   return !source.ambient || *source.ambient == kWhite || *source.ambient == kBlack || source.ambient == source.diffuse;
 }
 
-int illumination_of(const MtlMaterial& source, const std::string& place, std::vector<std::string>& warnings) {
-  const bool shiny = source.specular.value_or(kBlack) != kBlack && source.exponent.value_or(0.0) > 0.0;
-  const int absent = shiny ? 2 : 1;
-  const int model = source.illumination.value_or(absent);
-  if (model >= 0 && model <= 9) return model;
-  warnings.push_back(place + ": illumination model " + std::to_string(model) + " is shown as " +
-                     std::to_string(absent));
-  return absent;
-}
-
 /// Models 4 and 9 are glass where something lets light through: exporters write 4, `Tf 1 1 1` and `Ni 1` for whatever
 /// is opaque, too, which is 2 then.
-int without_idle_glass(int illumination, const MtlMaterial& source) {
+int illumination_of(const MtlMaterial& source) {
+  const bool shiny = source.specular.value_or(kBlack) != kBlack && source.exponent.value_or(0.0) > 0.0;
+  const int illumination = source.illumination.value_or(shiny ? 2 : 1);
   if (illumination != 4 && illumination != 9) return illumination;
   const bool is_dissolved = source.opacity.value_or(1.0) < 1.0 || has_map(source, MtlMap::dissolve);
   return is_dissolved || source.ior.value_or(1.0) != 1.0 ? illumination : 2;
@@ -95,7 +87,7 @@ Material default_obj_material() {
 }
 
 Material blinn_material(const MtlMaterial& source, const std::string& place, std::vector<std::string>& warnings) {
-  const int illumination = without_idle_glass(illumination_of(source, place, warnings), source);
+  const int illumination = illumination_of(source);
   const glm::dvec3 diffuse = color_or_map(source.diffuse, source, MtlMap::diffuse, kDefaultDiffuse);
   const glm::dvec3 specular = color_or_map(source.specular, source, MtlMap::specular, kBlack);
   const double opacity = std::clamp(source.opacity.value_or(1.0), 0.0, 1.0);
@@ -103,7 +95,9 @@ Material blinn_material(const MtlMaterial& source, const std::string& place, std
   material.name = source.name;
   material.workflow = Workflow::blinn;
   material.base_color = glm::vec4(finite_floats(diffuse), 1.0f);
-  material.specular = illumination >= 2 ? finite_floats(specular) : glm::vec3(0.0f);
+  // Exporters write Ns 0 for what is rough all over; by the formula its highlight would be white from everywhere.
+  const bool has_highlight = illumination >= 2 && source.exponent.value_or(kDefaultExponent) > 0.0;
+  material.specular = has_highlight ? finite_floats(specular) : glm::vec3(0.0f);
   material.exponent = finite_float(std::max(source.exponent.value_or(kDefaultExponent), 0.0));
   material.emission = finite_floats(color_or_map(source.emission, source, MtlMap::emission, kBlack));
   material.ambient = ambient_is_diffuse(source) ? finite_floats(diffuse) : finite_floats(*source.ambient);

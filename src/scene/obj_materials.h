@@ -15,10 +15,10 @@ namespace vernier {
 /// Kd 0.8 grey (white under a map_Kd); Ks, Ke black (white under their map); Ns 10; illum 2 where Ks is not black and
 /// Ns is given above 0, else 1. Ka: as given, but absent, white or black is Kd: both are what exporters write who know
 /// no Ka, and literally white makes every surface glow like the sky, black leaves shadows without any light. illum: 0
-/// unlit Kd; 1 diffuse; 2 with highlight; 3, 8 mirror of Ks; 5 mirror with Fresnel; 4, 7, 9 glass with Fresnel; 6 glass
-/// without. Glass lets Tf through (Kt the same); without Tf white or, where d < 1, 1 - d, and Kd then counts d times.
-/// Ni absent or not above 0 is 1.5, with a warning for glass. Others: d < 1 is blended. `warnings` gets lines that
-/// start with `place`.
+/// unlit Kd; 1 diffuse; 2 and more with highlight where Ns is above 0; 3, 8 mirror of Ks; 5 mirror with Fresnel; 4, 7,
+/// 9 glass with Fresnel; 6 glass without. Glass lets Tf through (Kt the same); without Tf white or, where d < 1, 1 - d,
+/// and Kd then counts d times. Ni absent or not above 0 is 1.5, with a warning for glass. Others: d < 1 is blended.
+/// `warnings` gets lines that start with `place`.
 Material blinn_material(const MtlMaterial& source, const std::string& place, std::vector<std::string>& warnings);
 
 /// Reads the MTL files `libraries` (as written in mtllib, relative to the OBJ at `obj_path`) into the materials of

@@ -18,11 +18,17 @@ namespace {
 /// Places where the image `name` may lie, likeliest first.
 std::vector<std::string> places_of(const std::string& name, const ObjTextures& textures,
                                    const std::string& mtl_folder) {
-  const std::string bare = name.substr(name.find_last_of('/') + 1);
   const bool absolute = name.starts_with('/') || name.find(":/") != std::string::npos;
   std::vector<std::string> places;
   if (absolute) places.push_back(name);
-  for (const std::string& tail : {name, bare}) {
+  // The path, then what is left of it without its first folders: those of another machine are not here.
+  constexpr std::size_t kMostTails = 16;  // bounds the looks for a name made of slashes
+  std::vector<std::string> tails{name};
+  while (tails.back().find('/') != std::string::npos) {
+    const std::string& last = tails.back();
+    tails.push_back(last.substr((tails.size() < kMostTails ? last.find('/') : last.find_last_of('/')) + 1));
+  }
+  for (const std::string& tail : tails) {
     places.push_back(mtl_folder + tail);
     places.push_back(textures.obj_folder + tail);
   }

@@ -77,8 +77,7 @@ class MtlParser {
     } else if (keyword == "Ni") {
       material.ior = finite(keyword, rest);
     } else if (keyword == "illum") {
-      const std::optional<double> model = finite(keyword, rest);
-      if (model && std::abs(*model) < 1e6) material.illumination = static_cast<int>(*model);
+      set_illumination(material, rest);
     } else if (keyword == "d") {
       if (rest.starts_with("-halo")) {
         take_word(rest);
@@ -92,6 +91,16 @@ class MtlParser {
       if (!has_dissolve_ && transparency) material.opacity = 1.0 - *transparency;
     } else if (keyword != "sharpness" && keyword != "map_aat") {
       unsupported(std::string(keyword));
+    }
+  }
+
+  void set_illumination(MtlMaterial& material, std::string_view rest) {
+    const std::optional<double> model = finite("illum", rest);
+    if (!model) return;
+    if (*model >= 0.0 && *model < 10.0) {
+      material.illumination = static_cast<int>(*model);
+    } else {
+      unsupported("illum " + std::string(rest));
     }
   }
 

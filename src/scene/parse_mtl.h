@@ -36,7 +36,7 @@ struct MtlMaterial {
   std::optional<double> exponent;             ///< Ns
   std::optional<double> ior;                  ///< Ni
   std::optional<double> opacity;              ///< d, or 1 - Tr where there is no d
-  std::optional<int> illumination;            ///< illum
+  std::optional<int> illumination;            ///< illum, 0 to 9
   std::array<MtlTexture, kMtlMapCount> maps;  ///< by MtlMap
 };
 

@@ -46,6 +46,13 @@ TEST(ObjMaterials, IlluminationModels) {
   }
 }
 
+TEST(ObjMaterials, AnExponentOfZeroIsNoHighlight) {
+  EXPECT_EQ(material_of("Ks 0.5 0.5 0.5\nNs 0\nillum 2").specular, glm::vec3(0.0f));
+  const Material mirror = material_of("Ks 0.5 0.5 0.5\nNs 0\nillum 3");
+  EXPECT_EQ(mirror.specular, glm::vec3(0.0f));
+  EXPECT_EQ(mirror.reflection, glm::vec3(0.5f));
+}
+
 TEST(ObjMaterials, GlassModelsWithoutGlassAreOpaque) {
   for (const char* model : {"4", "9"}) {
     const std::string lines = std::string("Kd 0.5 0.5 0.5\nKs 0.5 0.5 0.5\nTf 1 1 1\nillum ") + model;

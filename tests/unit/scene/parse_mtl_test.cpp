@@ -49,6 +49,15 @@ TEST(ParseMtl, OptionsWithoutEffectHereAreTold) {
             (std::vector<std::string>{"line 2: map_Kd -t is not supported", "line 2: map_Kd -mm is not supported"}));
 }
 
+TEST(ParseMtl, ModelsBeyondTheTextAreUnsupported) {
+  const MtlLibrary library = parse_mtl("newmtl a\nillum 9\nnewmtl b\nillum 10\nnewmtl c\nillum -1\n");
+  EXPECT_EQ(library.materials.at(0).illumination, 9);
+  EXPECT_FALSE(library.materials.at(1).illumination.has_value());
+  EXPECT_FALSE(library.materials.at(2).illumination.has_value());
+  EXPECT_EQ(library.unsupported,
+            (std::vector<std::string>{"line 4: illum 10 is not supported", "line 6: illum -1 is not supported"}));
+}
+
 TEST(ParseMtl, SenselessNumbersAreLeftOut) {
   const MtlLibrary library = parse_mtl("Kd 1 1 1\nnewmtl a\nKd nan 0 0\nNs x\nNi inf\nKs -1 0.5 0.5\nillum\nmap_Kd\n");
   ASSERT_EQ(library.materials.size(), 1u);
