@@ -1,4 +1,4 @@
-// Sole owner of constant_id. Ids: shared/specialization_ids.h.
+// The specialization constants of what renders. Ids: shared/specialization_ids.h.
 #ifndef VERNIER_SPECIALIZATION_GLSL
 #define VERNIER_SPECIALIZATION_GLSL
 

@@ -22,7 +22,6 @@
 #ifndef VERNIER_SHARED_BVH_RECORD_H
 #define VERNIER_SHARED_BVH_RECORD_H
 
-#define BVH_RECORD_WORDS 12
 #define BVH_RECORD_TEXELS 3
 #define BVH_TRIANGLE 0x80000000u
 // Of a node: it is an instance. Bit 29: nodes have bits 24 to 30 free, triangles have this one clear.

@@ -7,6 +7,7 @@
 #include "accuracy/error_figures.h"
 #include "error.h"
 #include "image/difference.h"
+#include "math/elapsed.h"
 #include "render/timed_trace.h"
 
 namespace vernier {
@@ -58,9 +59,6 @@ RenderSettings reference_settings(const RenderSettings& settings) {
 ConvergedReference render_reference_parts(StagedScene& staged, TimedTrace& trace, const RenderSettings& settings,
                                           double budget_ms, const std::function<bool()>& stop) {
   const auto start = std::chrono::steady_clock::now();
-  const auto spent_ms = [&] {
-    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-  };
   ConvergedReference reference;
   reference.settings = settings;
   PictureSum sums[2];
@@ -76,7 +74,7 @@ ConvergedReference render_reference_parts(StagedScene& staged, TimedTrace& trace
     if (stop && stop()) break;
     for (int half = 0; half < 2; ++half) sums[half].add(pictures[half]);
     reference.spp += 2 * settings.spp;
-  } while (spent_ms() < budget_ms && reference.spp < kMostSpp);
+  } while (ms_since(start) < budget_ms && reference.spp < kMostSpp);
   if (reference.spp == 0) throw Error(ErrorKind::failed, "interrupted before the reference was rendered");
   for (int half = 0; half < 2; ++half) reference.halves[half] = sums[half].mean();
   reference.image = mean_image(reference.halves[0], reference.halves[1]);

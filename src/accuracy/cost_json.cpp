@@ -26,7 +26,7 @@ Interval error_interval(const std::vector<CostRun>& runs, double ErrorFigures::*
 Spread spread_of_runs(const std::vector<CostRun>& runs, double CostRun::*time) {
   std::vector<double> values;
   for (const CostRun& run : runs) values.push_back(run.*time);
-  return spread_of_values(values);
+  return spread_of(values);
 }
 
 double claimed(const std::vector<CostRun>& runs) {

@@ -8,6 +8,7 @@
 #include "accuracy/cost_choice.h"
 #include "accuracy/interval.h"
 #include "accuracy/sweep.h"
+#include "math/spread.h"
 
 namespace vernier {
 

@@ -11,9 +11,6 @@
 namespace vernier {
 namespace {
 
-constexpr std::array kSpotNames{"box", "triangle", "position", "spawn", "fresnel", "specular", "sum"};
-static_assert(kSpotNames.size() == SPOT_COUNT);
-
 void set_spp(RenderSettings& settings, std::uint32_t spp) {
   settings.sample_end = settings.spp = spp;
 }
@@ -40,7 +37,7 @@ void add_samples(const CostPlanInput& input, std::vector<CostPoint>& points) {
 }
 
 void add_levels(const CostPlanInput& input, std::vector<CostPoint>& points) {
-  for (const Accuracy level : {Accuracy::fast, Accuracy::robust, Accuracy::exact}) {
+  for (const Accuracy level : kAccuracies) {
     if (level == input.settings.accuracy) continue;
     RenderSettings settings = input.settings;
     settings.accuracy = level;

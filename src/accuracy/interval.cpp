@@ -44,11 +44,4 @@ double bound_of_next(std::span<const double> values) {
   return mean + student_t(values.size() - 1) * deviation_of(values, mean) * std::sqrt(1.0 + 1.0 / count);
 }
 
-Spread spread_of_values(std::vector<double> values) {
-  std::sort(values.begin(), values.end());
-  const std::size_t middle = values.size() / 2;
-  const double median = values.size() % 2 == 1 ? values[middle] : (values[middle - 1] + values[middle]) / 2.0;
-  return {median, values.front(), values.back()};
-}
-
 }  // namespace vernier

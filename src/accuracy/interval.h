@@ -1,7 +1,6 @@
 #pragma once
 
 #include <span>
-#include <vector>
 
 namespace vernier {
 
@@ -23,15 +22,5 @@ Interval interval_of(std::span<const double> values);
 /// What the next independent value stays below with 97.5 % confidence, if `values` (at least two) are normal:
 /// mean + t s sqrt(1 + 1/n).
 double bound_of_next(std::span<const double> values);
-
-/// Median, least and most.
-struct Spread {
-  double median = 0.0;
-  double least = 0.0;
-  double most = 0.0;
-};
-
-/// The spread of `values`; at least one. Of an even number the median is the mean of the middle two.
-Spread spread_of_values(std::vector<double> values);
 
 }  // namespace vernier

@@ -9,6 +9,7 @@
 
 #include "effects/detect_effects.h"
 #include "error.h"
+#include "math/elapsed.h"
 #include "render/timed_trace.h"
 
 namespace vernier {
@@ -21,10 +22,6 @@ constexpr double kReferenceShare = 0.3;
 constexpr double kPlannedShare = 0.85;
 constexpr int kLeastRuns = 4;  // two pairs for the floor
 constexpr int kMostRuns = 16;
-
-double ms_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 /// Scene, pipelines and films of a sweep.
 class Bench {
@@ -154,7 +151,11 @@ class Bench {
 
   /// Keeps the points that have two runs at least.
   void drop_unfinished() {
-    std::erase_if(sweep_.points, [](const PointResult& result) { return result.runs.size() < 2; });
+    const auto is_unfinished = [](const PointResult& result) { return result.runs.size() < 2; };
+    for (const PointResult& result : sweep_.points) {
+      if (is_unfinished(result)) sweep_.left_out.push_back(result.point.name);
+    }
+    std::erase_if(sweep_.points, is_unfinished);
     sweep_.complete = false;
   }
 

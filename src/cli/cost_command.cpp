@@ -33,6 +33,8 @@ extern char** environ;  // POSIX declares it nowhere
 namespace vernier {
 namespace {
 
+namespace fs = std::filesystem;
+
 constexpr double kQuickBudget_s = 45.0;  // with loading and writing below a minute
 constexpr double kLeastBudget_s = 5.0;
 constexpr double kMostBudget_s = 86400.0;
@@ -78,20 +80,27 @@ SweepSetup sweep_setup(const CostArguments& arguments) {
 /// Makes the folder, or finds out before the work that it cannot be, nor pictures in it.
 void prepare_folder(const std::string& folder) {
   std::error_code failure;
-  std::filesystem::create_directories(folder + "/images", failure);
+  fs::create_directories(folder + "/images", failure);
   if (failure) throw Error(ErrorKind::failed, folder + ": " + failure.message());
   write_text(folder + "/images/.writable", "");
-  std::filesystem::remove(folder + "/images/.writable", failure);
+  fs::remove(folder + "/images/.writable", failure);
   load_codecs();
 }
 
-/// That nothing that is read is replaced.
+/// That nothing that is read is replaced: how many pictures there will be is not known yet, so their folder is out.
 void check_outputs(const CostArguments& arguments, const Scene& scene) {
   std::vector<NamedFile> files = {{"--reference", arguments.reference, true}};
-  for (const char* name : {"cost.json", "cost.csv", "report.html", "images/reference.png"}) {
+  for (const char* name : {"cost.json", "cost.csv", "report.html"}) {
     files.push_back({"--output", arguments.folder + "/" + name});
   }
   check_not_read(files, scene.files);
+  std::vector<std::string> read = scene.files;
+  if (!arguments.reference.empty()) read.push_back(arguments.reference);
+  for (const std::string& file : read) {
+    const fs::path folder = fs::weakly_canonical(fs::absolute(arguments.folder)) / "images";
+    if (fs::weakly_canonical(fs::absolute(file)).parent_path() != folder) continue;
+    throw Error(ErrorKind::usage, "--output: its pictures could take the place of " + file + ", which is read");
+  }
 }
 
 void write_pictures(const std::string& folder, const Sweep& sweep, CostNames& names) {
@@ -146,12 +155,14 @@ int run_cost(const CostArguments& arguments) {
   catch_interrupt();
   const SceneSettings scene_settings = parse_scene_settings(arguments.scene);
   SweepSetup setup = sweep_setup(arguments);
-  const SceneSetup scene =
-      set_up_scene(scene_settings, static_cast<double>(setup.settings.width) / setup.settings.height);
+  const SceneSetup scene = set_up_scene(scene_settings, aspect_of(setup.settings));
   print_warnings(scene.scene.warnings);
   check_outputs(arguments, scene.scene);
   CostNames names;
   const Sweep sweep = measure(arguments, setup, scene, names);
+  if (sweep.points.empty() && !sweep.complete) {
+    throw Error(ErrorKind::failed, arguments.folder + ": interrupted before anything was measured, nothing is written");
+  }
   names.scene = arguments.scene.scene;
   names.budget_s = setup.budget_s;
   for (const PointResult& result : sweep.points) {
@@ -207,9 +218,7 @@ void add_cost_command(CLI::App& app, Command& chosen) {
   add_dispatch_options(command, arguments->render);
   add_traversal_option(command, arguments->render.traversal);
   add_scene_options(command, arguments->scene);
-  command
-      .add_option("--device", arguments->device, "index or part of the name, see vernier devices (default: the best)")
-      ->type_name("INDEX|NAME");
+  add_device_option(command, arguments->device);
   command.add_flag("--quiet", arguments->quiet, "no progress; warnings stay (default: off)");
   command.footer("Example: vernier cost scenes/materials.glb -o report --quick");
   command.callback([arguments, &chosen] { chosen = [arguments] { return run_cost(*arguments); }; });

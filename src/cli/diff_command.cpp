@@ -34,7 +34,8 @@ Image read_whole_image(const std::string& path) {
   const ImageFile file = read_image(path);
   const auto stopped = file.metadata.find("vernier:stopped_at");
   if (stopped != file.metadata.end()) {
-    print_warnings({path + ": its render was stopped before its end, at " + stopped->second});
+    const char* unit = stopped->second.ends_with('%') ? "" : " samples per pixel";  // a share is the reference's
+    print_warnings({path + ": its render was stopped before its end, at " + stopped->second + unit});
   }
   return color_image(file, path);
 }

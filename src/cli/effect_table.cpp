@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "cli/warnings.h"
+
 namespace vernier {
 
 std::string unswitched_lines(const EffectSet& effects) {
@@ -10,11 +12,11 @@ std::string unswitched_lines(const EffectSet& effects) {
   std::string lines = "with no switch, since nothing would be saved:\n";
   for (const EffectReason& one : effects.fixed) {
     const std::string padding(widest - one.name.size(), ' ');
-    lines += (one.on ? "on   " : "off  ") + one.name + padding + "  " + one.reason + "\n";
+    lines += (one.on ? "on   " : "off  ") + one.name + padding + "  " + terminal_line(one.reason) + "\n";
   }
   const DepthNeed& depth = effects.depth;
   return lines + "depth needed: " + std::to_string(depth.bounces) + " of " + std::to_string(depth.allowed) +
-         " bounces, " + depth.reason + "\n";
+         " bounces, " + terminal_line(depth.reason) + "\n";
 }
 
 std::string effect_table(const EffectSet& effects) {
@@ -27,7 +29,7 @@ std::string effect_table(const EffectSet& effects) {
   std::string table;
   for (const EffectReason& effect : effects.reasons) {
     const std::string padding(widest - effect.name.size(), ' ');
-    table += (effect.on ? "on   " : "off  ") + effect.name + padding + "  " + effect.reason + "\n";
+    table += (effect.on ? "on   " : "off  ") + effect.name + padding + "  " + terminal_line(effect.reason) + "\n";
   }
   return table + std::to_string(on_count) + " of " + std::to_string(effects.reasons.size()) + " effects on\n" +
          unswitched_lines(effects);

@@ -16,6 +16,7 @@
 #include "cli/warnings.h"
 #include "effects/detect_effects.h"
 #include "error.h"
+#include "math/elapsed.h"
 #include "render/form_file.h"
 #include "render/pipeline_file.h"
 
@@ -45,7 +46,7 @@ Explanation planned(const SceneSetup& setup, const RenderSettings& settings) {
   explanation.settings = settings;
   const auto start = std::chrono::steady_clock::now();
   explanation.plan = plan_effects(setup.scene, setup.camera, settings.max_bounces, settings.cutoff, settings.effects);
-  explanation.plan_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  explanation.plan_ms = ms_since(start);
   return explanation;
 }
 
@@ -89,7 +90,7 @@ int run_explain(const ExplainArguments& arguments) {
                                         {"--background", scene_settings.background_file, true},
                                         {"--json", arguments.json_file}};
   check_distinct(files);
-  const double aspect = static_cast<double>(settings.width) / settings.height;
+  const double aspect = aspect_of(settings);
   const SceneSetup setup = set_up_scene(scene_settings, aspect);
   check_not_read(files, setup.scene.files);
   print_warnings(setup.scene.warnings);
@@ -123,9 +124,7 @@ void add_explain_command(CLI::App& app, Command& chosen) {
   add_dispatch_options(command, arguments->render);
   add_traversal_option(command, arguments->render.traversal);
   add_scene_options(command, arguments->scene);
-  command
-      .add_option("--device", arguments->device, "index or part of the name, see vernier devices (default: the best)")
-      ->type_name("INDEX|NAME");
+  add_device_option(command, arguments->device);
   command.add_flag("--costs,!--no-costs", arguments->with_costs, "measures what each effect costs (default: on)");
   command.add_option("--json", arguments->json_file, "writes the same as JSON (default: none)")->type_name("FILE");
   command.add_flag("--quiet", arguments->quiet, "no progress; warnings stay (default: off)");

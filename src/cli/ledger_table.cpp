@@ -5,6 +5,7 @@
 
 #include "cli/effect_table.h"
 #include "cli/render_report.h"
+#include "cli/warnings.h"
 
 namespace vernier {
 namespace {
@@ -29,16 +30,18 @@ double share_of(const EffectCost& cost) {
 std::string cost_columns(const EffectLedger& ledger, const EffectCost* cost) {
   if (cost == nullptr) return row("%10s %9s %8s %10s %8s", "-", "-", "-", "-", "-");
   constexpr double kPercent = 100.0;
-  return row("%10lld %9.3f %6.1f %% %10.3g %8.4f", static_cast<long long>(cost->rays),
-             share_of(*cost) * ledger.frame_ms, share_of(*cost) * kPercent, cost->rmse, cost->flip_mean);
+  const std::string time = is_noise(cost->ratio)
+                               ? row("%9s %8s", "noise", "noise")
+                               : row("%9.3f %6.1f %%", share_of(*cost) * ledger.frame_ms, share_of(*cost) * kPercent);
+  return row("%10lld %s %10.3g %8.4f", static_cast<long long>(cost->rays), time.c_str(), cost->rmse, cost->flip_mean);
 }
 
 std::string frame_lines(const Explanation& explanation) {
   const EffectLedger& ledger = explanation.ledger;
   const RenderSettings& settings = explanation.settings;
-  std::string lines = row("frame: %.3f ms of device time, %llu rays, %dx%d, %u samples per pixel, on %s\n",
-                          ledger.frame_ms, static_cast<unsigned long long>(total(ledger.rays)), settings.width,
-                          settings.height, settings.spp, explanation.device.c_str());
+  std::string lines = row("frame: %.3f ms of device time, %llu rays, %dx%d, %u %s per pixel, on %s\n", ledger.frame_ms,
+                          static_cast<unsigned long long>(total(ledger.rays)), settings.width, settings.height,
+                          settings.spp, settings.spp == 1 ? "sample" : "samples", explanation.device.c_str());
   for (const BounceCost& bounce : ledger.bounces) {
     lines +=
         row("bounce %u: %.3f ms, %llu rays\n", bounce.depth, bounce.ms, static_cast<unsigned long long>(bounce.rays));
@@ -100,7 +103,8 @@ std::string ledger_table(const Explanation& explanation) {
   for (const EffectReason& effect : explanation.plan.reasons) {
     on_count += effect.on ? 1 : 0;
     table += row("%-4s %-*s ", effect.on ? "on" : "off", static_cast<int>(widest), effect.name.c_str());
-    table += cost_columns(explanation.ledger, cost_of(explanation.ledger, effect.bit)) + "  " + effect.reason + "\n";
+    table += cost_columns(explanation.ledger, cost_of(explanation.ledger, effect.bit)) + "  " +
+             terminal_line(effect.reason) + "\n";
   }
   table += std::to_string(on_count) + " of " + std::to_string(explanation.plan.reasons.size()) + " effects on\n";
   return table + unswitched_lines(explanation.plan) + frame_lines(explanation);

@@ -54,6 +54,19 @@ bool is_side(std::optional<std::uint32_t> value) {
   return value && *value >= 1 && *value <= static_cast<std::uint32_t>(kMaxSide_px);
 }
 
+/// Three numbers; `wanted` says of what in the message.
+glm::dvec3 three_numbers(const std::string& option, const std::string& text, const char* wanted) {
+  const std::vector<std::string> parts = split(text, ',');
+  if (parts.size() != 3) reject(option, text, wanted);
+  glm::dvec3 numbers(0.0);
+  for (int axis = 0; axis < 3; ++axis) {
+    const std::optional<double> value = plain_number(parts[static_cast<std::size_t>(axis)]);
+    if (!value) reject(option, text, wanted);
+    numbers[axis] = *value;
+  }
+  return numbers;
+}
+
 }  // namespace
 
 double parse_number(const std::string& option, const std::string& text) {
@@ -106,27 +119,16 @@ PixelRect parse_rect(const std::string& option, const std::string& text) {
 }
 
 glm::dvec3 parse_vec3(const std::string& option, const std::string& text) {
-  const std::vector<std::string> parts = split(text, ',');
-  glm::dvec3 vector(0.0);
-  for (std::size_t axis = 0; axis < 3 && parts.size() == 3; ++axis) {
-    const std::optional<double> value = plain_number(parts[axis]);
-    if (!value) {
-      reject(option, text, "three numbers x,y,z");
-    }
-    vector[static_cast<int>(axis)] = *value;
-  }
-  if (parts.size() != 3) {
-    reject(option, text, "three numbers x,y,z");
-  }
-  return vector;
+  return three_numbers(option, text, "three numbers x,y,z");
 }
 
 glm::vec3 parse_color(const std::string& option, const std::string& text) {
-  const glm::dvec3 color = parse_vec3(option, text);
+  constexpr const char* kColor = "a colour r,g,b of numbers from 0 to 3.4e38";
+  const glm::dvec3 color = three_numbers(option, text, kColor);
   constexpr double kLargest = std::numeric_limits<float>::max();
   for (int channel = 0; channel < 3; ++channel) {
     if (color[channel] < 0.0 || color[channel] > kLargest) {
-      reject(option, text, "a colour r,g,b of numbers from 0");
+      reject(option, text, kColor);
     }
   }
   return glm::vec3(color);

@@ -1,23 +1,18 @@
 #include "cli/point_command.h"
 
+#include <algorithm>
+
+#include "cli/recipe.h"
+
 namespace vernier {
 
-std::string point_command(const SceneArguments& scene, const RenderArguments& render, const RenderSettings& settings,
+std::string point_command(SceneArguments scene, RenderArguments render, const RenderSettings& settings,
                           const CostPoint& point) {
-  RenderArguments changed = render;
-  changed.size = std::to_string(settings.width) + "x" + std::to_string(settings.height);
-  changed.spp.clear();
-  for (const auto& [name, value] : point.options) {
-    if (name == "spp") changed.spp = value;
-    if (name == "error-target") changed.error_target = value;
-    if (name == "accuracy") changed.accuracy = value;
-    if (name == "max-bounces") changed.max_bounces = value;
-    if (name == "cutoff") changed.cutoff = value;
-    if (name == "effects") changed.effects = value;
-    if (name == "filter") changed.filter = value;
-    if (name == "texture-filter") changed.texture_filter = value;
-  }
-  return short_render_command(scene, changed, "render.exr");
+  render.size = std::to_string(settings.width) + "x" + std::to_string(settings.height);
+  render.spp.clear();
+  const std::vector<OptionText> texts = option_texts(scene, render);
+  for (const auto& [name, value] : point.options) *std::ranges::find(texts, name, &OptionText::first)->second = value;
+  return short_render_command(scene, render, "render.exr");
 }
 
 }  // namespace vernier

@@ -11,7 +11,7 @@ namespace vernier {
 
 /// The command line, for a POSIX shell, that renders with the settings of `point`, a point of a sweep whose scene,
 /// options and size these are. It writes render.exr.
-std::string point_command(const SceneArguments& scene, const RenderArguments& render, const RenderSettings& settings,
+std::string point_command(SceneArguments scene, RenderArguments render, const RenderSettings& settings,
                           const CostPoint& point);
 
 }  // namespace vernier

@@ -1,5 +1,6 @@
 #include "cli/read_recipe.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "cli/parse_values.h"
@@ -28,35 +29,6 @@ nlohmann::ordered_json object_of(const std::string& name, const Metadata& metada
   return object;
 }
 
-/// Where the text of each option belongs.
-std::map<std::string, std::string*> option_places(RenderCommandArguments& arguments) {
-  SceneArguments& scene = arguments.scene;
-  RenderArguments& render = arguments.render;
-  return {{"size", &render.size},
-          {"crop", &render.crop},
-          {"camera", &scene.camera},
-          {"eye", &scene.eye},
-          {"target", &scene.target},
-          {"up", &scene.up},
-          {"fov", &scene.fov},
-          {"view-height", &scene.view_height},
-          {"background", &scene.background},
-          {"ambient", &scene.ambient},
-          {"spp", &render.spp},
-          {"error-target", &render.error_target},
-          {"sample-range", &render.sample_range},
-          {"max-bounces", &render.max_bounces},
-          {"cutoff", &render.cutoff},
-          {"accuracy", &render.accuracy},
-          {"effects", &render.effects},
-          {"filter", &render.filter},
-          {"texture-filter", &render.texture_filter},
-          {"bvh", &render.bvh},
-          {"traversal", &render.traversal},
-          {"aov", &render.aov},
-          {"seed", &render.seed}};
-}
-
 std::string string_of(const std::string& name, const std::string& option, const nlohmann::ordered_json& value) {
   if (!value.is_string()) refuse(name, "--" + option + " in its metadata is no text");
   return value.get<std::string>();
@@ -83,14 +55,15 @@ nlohmann::ordered_json read_options(const std::string& name, const Metadata& met
 RenderCommandArguments read_recipe(const std::string& name, const Metadata& metadata) {
   RenderCommandArguments arguments;
   const nlohmann::ordered_json options = read_options(name, metadata);
-  const std::map<std::string, std::string*> places = option_places(arguments);
+  const std::vector<OptionText> texts = option_texts(arguments.scene, arguments.render);
   for (const auto& [option, value] : options.items()) {
     if (option == "light" && value.is_array()) {
       for (const auto& light : value) arguments.scene.lights.push_back(string_of(name, option, light));
       continue;
     }
-    const auto place = places.find(option);
-    if (place == places.end()) refuse(name, "its recipe has --" + option + ", which this version does not know");
+    const auto place = std::ranges::find(texts, option, &OptionText::first);
+    if (place == texts.end() || place->second == nullptr)
+      refuse(name, "its recipe has --" + option + ", which this version does not know");
     *place->second = string_of(name, option, value);
   }
   // OpenEXR keeps no empty text: the built-in scene has no name.

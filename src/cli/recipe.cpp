@@ -12,12 +12,6 @@
 namespace vernier {
 namespace {
 
-void put(nlohmann::ordered_json& options, const char* name, const std::string& text) {
-  if (!text.empty()) {
-    options[name] = text;
-  }
-}
-
 /// `of_all` is that of all files, one after the other: of one file too, which is not hashed again.
 nlohmann::ordered_json sha1_by_path(std::span<const std::string> files, const std::string& of_all) {
   nlohmann::ordered_json digests;
@@ -42,35 +36,45 @@ void append_file(OIIO::SHA1& hash, const std::string& path) {
 
 }  // namespace
 
-nlohmann::ordered_json recipe_options(const SceneArguments& scene, const RenderArguments& render) {
-  nlohmann::ordered_json options;
-  put(options, "size", render.size);
-  put(options, "crop", render.crop);
-  put(options, "camera", scene.camera);
-  put(options, "eye", scene.eye);
-  put(options, "target", scene.target);
-  put(options, "up", scene.up);
-  put(options, "fov", scene.fov);
-  put(options, "view-height", scene.view_height);
-  if (!scene.lights.empty()) {
-    options["light"] = scene.lights;
-  }
-  put(options, "background", scene.background);
-  put(options, "ambient", scene.ambient);
-  put(options, "spp", spp_text(render));
-  put(options, "error-target", render.error_target);
-  put(options, "sample-range", render.sample_range);
-  put(options, "max-bounces", render.max_bounces);
-  put(options, "cutoff", render.cutoff);
-  put(options, "accuracy", render.accuracy);
-  put(options, "effects", render.effects);
-  put(options, "filter", render.filter);
-  put(options, "texture-filter", render.texture_filter);
-  put(options, "bvh", render.bvh);  // no colour hangs on it, but the layer cost does
+std::vector<OptionText> option_texts(SceneArguments& scene, RenderArguments& render) {
+  return {{"size", &render.size},
+          {"crop", &render.crop},
+          {"camera", &scene.camera},
+          {"eye", &scene.eye},
+          {"target", &scene.target},
+          {"up", &scene.up},
+          {"fov", &scene.fov},
+          {"view-height", &scene.view_height},
+          {"light", nullptr},
+          {"background", &scene.background},
+          {"ambient", &scene.ambient},
+          {"spp", &render.spp},
+          {"error-target", &render.error_target},
+          {"sample-range", &render.sample_range},
+          {"max-bounces", &render.max_bounces},
+          {"cutoff", &render.cutoff},
+          {"accuracy", &render.accuracy},
+          {"effects", &render.effects},
+          {"filter", &render.filter},
+          {"texture-filter", &render.texture_filter},
+          {"bvh", &render.bvh},  // no colour hangs on it, but the layer cost does
+          {"traversal", &render.traversal},
+          {"aov", &render.aov},
+          {"seed", &render.seed}};
+}
+
+nlohmann::ordered_json recipe_options(SceneArguments scene, RenderArguments render) {
+  render.spp = spp_text(render);
   // No bit hangs on it, but its shaders have a hash of their own.
-  if (render.traversal != "auto") put(options, "traversal", render.traversal);
-  put(options, "aov", render.aov);
-  put(options, "seed", render.seed);
+  if (render.traversal == "auto") render.traversal.clear();
+  nlohmann::ordered_json options;
+  for (const auto& [name, text] : option_texts(scene, render)) {
+    if (text == nullptr) {
+      if (!scene.lights.empty()) options[name] = scene.lights;
+    } else if (!text->empty()) {
+      options[name] = *text;
+    }
+  }
   return options;
 }
 

@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/render_options.h"
 #include "cli/scene_options.h"
@@ -17,9 +19,15 @@ struct RecipeMaker {
   std::string spirv_hash;  ///< of the trace module, hexadecimal
 };
 
-/// The options that decide the picture, as their texts by name without dashes (`size`, `spp`, `light` a list); those
+/// An option's name without dashes, and its text; null for `light`, which is a list.
+using OptionText = std::pair<std::string, std::string*>;
+
+/// The options that decide the picture, in the order of a recipe.
+std::vector<OptionText> option_texts(SceneArguments& scene, RenderArguments& render);
+
+/// The same, as their texts by name without dashes (`size`, `spp`, `light` a list); those
 /// not given and without a default are left out. What never changes a bit (tile, dispatch-ms) is left out too.
-nlohmann::ordered_json recipe_options(const SceneArguments& scene, const RenderArguments& render);
+nlohmann::ordered_json recipe_options(SceneArguments scene, RenderArguments render);
 
 /// SHA-1 of the bytes of the files at `paths` one after the other, 40 hexadecimal digits: for a single file what
 /// sha1sum tells of it. Throws Error(refused) for a file that cannot be read.

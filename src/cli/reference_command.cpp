@@ -119,7 +119,8 @@ void add_reference_command(CLI::App& app, Command& chosen) {
   add_filter_options(command, arguments->render);
   command.add_option("--exposure", arguments->exposure, "stops added to display images, -100 to 100 (default: 0)")
       ->type_name("EV");
-  command.add_option("--threads", arguments->threads, "threads; 0 is one per core (default: 0)")->type_name("N");
+  command.add_option("--threads", arguments->threads, "threads, up to 1024; 0 is one per core (default: 0)")
+      ->type_name("N");
   command.add_flag("--quiet", arguments->quiet, "no progress and no summary; warnings stay (default: off)");
   add_scene_options(command, arguments->scene);
   command.footer("Example: vernier reference scenes/every_effect.glb -o truth.exr --size 320x180 --spp 4");

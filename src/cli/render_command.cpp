@@ -32,7 +32,9 @@ void print_summary(const RenderPlan& plan, const RenderReport& report, const Ima
     std::fputs(verbose_text(report).c_str(), stderr);
   }
   std::fprintf(stderr, "%s\n", summary_line(report, plan.output).c_str());
-  const std::string legend = cost_legend(image);
+  // EXR keeps the counts themselves.
+  const bool is_shown = file_format(plan.output, ErrorKind::failed) != FileFormat::exr;
+  const std::string legend = is_shown ? cost_legend(image) : "";
   if (!legend.empty()) std::fprintf(stderr, "%s\n", legend.c_str());
   const std::string hint = exposure_hint(image, plan.display.exposure_ev);
   if (!hint.empty()) {
@@ -53,9 +55,11 @@ void check_outcome(const RenderReport& report, const RenderPlan& plan) {
     throw Error(ErrorKind::failed, plan.output + ": " + non_finite_text(statistics) + "; again by: " +
                                        sample_command(plan, report.device.name, statistics.first_non_finite));
   }
-  if (statistics.stopped && interrupted()) {
-    throw Error(ErrorKind::failed,
-                plan.output + ": interrupted; it holds what was done by then" + resume_hint(plan, report.device.name));
+  const bool has_gaps = statistics.stopped && statistics.samples_done == 0;
+  if (has_gaps || (statistics.stopped && interrupted())) {
+    throw Error(ErrorKind::failed, plan.output + ": " + stop_reason() + "; it holds what was done by then" +
+                                       (has_gaps ? ", pixels without a sample are black" : "") +
+                                       resume_hint(plan, report.device.name));
   }
 }
 
@@ -162,9 +166,7 @@ void add_render_command(CLI::App& app, Command& chosen) {
                     ->type_name("FILE"));
   add_render_options(command, arguments->render);
   add_scene_options(command, arguments->scene);
-  command
-      .add_option("--device", arguments->device, "index or part of the name, see vernier devices (default: the best)")
-      ->type_name("INDEX|NAME");
+  add_device_option(command, arguments->device);
   command
       .add_option("--exposure", arguments->exposure,
                   "stops added to display images, -100 to 100; EXR stays linear (default: 0)")

@@ -45,30 +45,28 @@ std::vector<std::string> parse_aovs(const std::string& list) {
   return aovs;
 }
 
-/// The one of `choices` whose name is `text`. Throws Error(usage) with `names`.
+/// The one of `choices` whose name is `text`. Throws Error(usage) with the names there are.
 template <typename Choices>
-auto parse_choice(const char* option, const std::string& text, const Choices& choices, const char* names) {
-  for (const auto choice : choices) {
-    if (text == to_string(choice)) return choice;
+auto parse_choice(const char* option, const std::string& text, const Choices& choices) {
+  std::string names;
+  for (std::size_t i = 0; i < choices.size(); ++i) {
+    if (text == to_string(choices[i])) return choices[i];
+    if (i > 0) names += i + 1 < choices.size() ? ", " : " or ";
+    names += to_string(choices[i]);
   }
   throw Error(ErrorKind::usage, std::string(option) + ": `" + text + "` is not " + names);
 }
 
 void parse_choices(const RenderArguments& arguments, RenderSettings& settings) {
-  settings.accuracy =
-      parse_choice("--accuracy", arguments.accuracy, std::array{Accuracy::fast, Accuracy::robust, Accuracy::exact},
-                   "fast, robust or exact");
-  settings.pixel_filter =
-      parse_choice("--filter", arguments.filter, std::array{PixelFilter::box, PixelFilter::tent}, "box or tent");
-  settings.texture_filter = parse_choice("--texture-filter", arguments.texture_filter,
-                                         std::array{TextureFilter::file, TextureFilter::nearest, TextureFilter::linear},
-                                         "file, nearest or linear");
-  settings.bvh = parse_choice("--bvh", arguments.bvh, kBuildMethods, "fast, default or quality");
+  settings.accuracy = parse_accuracy("--accuracy", arguments.accuracy);
+  settings.pixel_filter = parse_choice("--filter", arguments.filter, kPixelFilters);
+  settings.texture_filter = parse_choice("--texture-filter", arguments.texture_filter, kTextureFilters);
+  settings.bvh = parse_choice("--bvh", arguments.bvh, kBuildMethods);
   settings.traversal = parse_traversal(arguments.traversal);
 }
 
 void check_crop(const RenderSettings& settings) {
-  const PixelRect rect = settings.crop.value_or(PixelRect{0, 0, settings.width, settings.height});
+  const PixelRect rect = image_area(settings);
   if (rect.x + rect.width > settings.width || rect.y + rect.height > settings.height) {
     throw Error(ErrorKind::usage, "--crop: it reaches beyond the image of " + std::to_string(settings.width) + "x" +
                                       std::to_string(settings.height) + " pixels");
@@ -161,6 +159,11 @@ void add_bvh_option(CLI::App& app, std::string& bvh) {
       ->type_name("METHOD");
 }
 
+void add_device_option(CLI::App& app, std::string& device) {
+  app.add_option("--device", device, "index or part of the name, see vernier devices (default: the best)")
+      ->type_name("INDEX|NAME");
+}
+
 void add_traversal_option(CLI::App& app, std::string& traversal) {
   app.add_option("--traversal", traversal,
                  "how rays read the scene and keep their stack: auto (texels-shifted on llvmpipe, else storage-array), "
@@ -169,9 +172,12 @@ void add_traversal_option(CLI::App& app, std::string& traversal) {
       ->type_name("FORM");
 }
 
+Accuracy parse_accuracy(const char* option, const std::string& text) {
+  return parse_choice(option, text, kAccuracies);
+}
+
 TraversalForm parse_traversal(const std::string& text) {
-  return parse_choice("--traversal", text, kTraversalForms,
-                      "auto, texels-shifted, texels-array, storage-shifted, storage-array or ray-query");
+  return parse_choice("--traversal", text, kTraversalForms);
 }
 
 void add_dispatch_options(CLI::App& app, RenderArguments& arguments) {
@@ -201,7 +207,7 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
   add_dispatch_options(app, arguments);
   add_traversal_option(app, arguments.traversal);
   app.add_option("--time-limit", arguments.time_limit,
-                 "stop after S seconds of tracing with the samples done by then (default: none)")
+                 "stop after S seconds of tracing, 0.001 to 31536000, with the samples done by then (default: none)")
       ->type_name("S");
   app.add_option(
          "--error-target", arguments.error_target,

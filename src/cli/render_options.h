@@ -60,13 +60,19 @@ void add_aov_option(CLI::App& app, std::string& aov);
 /// Adds --bvh.
 void add_bvh_option(CLI::App& app, std::string& bvh);
 
+/// Adds --device.
+void add_device_option(CLI::App& app, std::string& device);
+
 /// Adds --traversal.
 void add_traversal_option(CLI::App& app, std::string& traversal);
+
+/// The level that `option` says. Throws Error(usage) with the names there are.
+Accuracy parse_accuracy(const char* option, const std::string& text);
 
 /// The form that --traversal says. Throws Error(usage) with the names there are.
 TraversalForm parse_traversal(const std::string& text);
 
-/// Adds --tile, --dispatch-ms and --traversal, which change no bit.
+/// Adds --tile and --dispatch-ms, which change no bit.
 void add_dispatch_options(CLI::App& app, RenderArguments& arguments);
 
 /// Adds all options of RenderArguments to `app`. `arguments` outlives the parse.

@@ -141,12 +141,16 @@ nlohmann::ordered_json depth_json(const DepthNeed& depth) {
 
 std::string saved_line(const SavedMemory& saved) {
   constexpr double kMebibyte = 1024.0 * 1024.0;
-  char text[160];
-  std::snprintf(text, sizeof text, "not allocated: path stack %.2f MiB, sample costs %.2f MiB, AOVs %.2f MiB\n",
-                static_cast<double>(saved.path_stack_bytes) / kMebibyte,
-                static_cast<double>(saved.sample_cost_bytes) / kMebibyte,
-                static_cast<double>(saved.aov_bytes) / kMebibyte);
-  return text;
+  std::string line;
+  for (const auto& [what, bytes] : {std::pair{"path stack", saved.path_stack_bytes},
+                                    {"sample costs", saved.sample_cost_bytes},
+                                    {"AOVs", saved.aov_bytes}}) {
+    if (bytes == 0) continue;
+    char text[64];
+    std::snprintf(text, sizeof text, " %s %.2f MiB", what, static_cast<double>(bytes) / kMebibyte);
+    line += (line.empty() ? "not allocated:" : ",") + std::string(text);
+  }
+  return line.empty() ? line : line + "\n";
 }
 
 double rays_per_s(const RenderStatistics& statistics) {

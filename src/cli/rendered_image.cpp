@@ -146,7 +146,7 @@ std::map<std::string, std::string> describe_image(const RenderPlan& plan, const 
 RenderedImage render_planned(RenderPlan plan) {
   const std::optional<SavedFilm> resumed = read_resumed(plan);
   Libraries libraries = load_libraries();
-  const double aspect = static_cast<double>(plan.settings.width) / plan.settings.height;
+  const double aspect = aspect_of(plan.settings);
   LoadingSetup loading = open_setup(plan.scene, aspect);
   const VulkanInstance instance = libraries.vulkan.get();
   const DeviceDescription description = choose_device(list_devices(instance), plan.device);

@@ -66,6 +66,9 @@ std::string sample_command(const RenderPlan& plan, const std::string& device, co
   RenderArguments render = plan.render_arguments;
   render.crop = std::to_string(place.x) + "," + std::to_string(place.y) + ",1,1";
   render.sample_range = std::to_string(place.sample) + ":" + std::to_string(place.sample + 1);
+  // An error target goes with neither; of its samples the most that a pixel gets say where each one lies.
+  render.spp = spp_text(render);
+  render.error_target.clear();
   render.aov.clear();
   return render_command(plan.scene_arguments, render, "sample.exr") + option("device", device);
 }
@@ -79,9 +82,13 @@ std::string resume_hint(const RenderPlan& plan, const std::string& device) {
          option("resume", plan.checkpoint);
 }
 
+std::string stop_reason() {
+  return interrupted() ? "interrupted" : "--time-limit ended it";
+}
+
 std::string no_sample_text(const RenderPlan& plan, const std::string& device) {
-  return plan.output + ": " + (interrupted() ? "interrupted" : "--time-limit ended it") +
-         " before the first sample, nothing is written" + resume_hint(plan, device);
+  return plan.output + ": " + stop_reason() + " before the first sample, nothing is written" +
+         resume_hint(plan, device);
 }
 
 }  // namespace vernier

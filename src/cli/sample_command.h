@@ -22,6 +22,9 @@ std::string sample_command(const RenderPlan& plan, const std::string& device, co
 /// shell, that resumes it from its checkpoint on the device it ran on. Empty without a checkpoint.
 std::string resume_hint(const RenderPlan& plan, const std::string& device);
 
+/// What ended a render before its end, as words of a message.
+std::string stop_reason();
+
 /// The line about a render that ended before its first sample.
 std::string no_sample_text(const RenderPlan& plan, const std::string& device);
 

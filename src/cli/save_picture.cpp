@@ -1,6 +1,7 @@
 #include "cli/save_picture.h"
 
 #include "cli/camera_arguments.h"
+#include "cli/output_file.h"
 #include "cli/parse_values.h"
 #include "cli/recipe.h"
 #include "cli/rendered_image.h"
@@ -29,6 +30,7 @@ RenderCommandArguments render_arguments(const RenderCommandArguments& arguments,
 
 void save_picture(const RenderCommandArguments& arguments, const SavedPicture& picture) {
   const RenderPlan plan = plan_render(render_arguments(arguments, picture));
+  check_not_read(output_files(plan), picture.viewed.scene.files);
   const RecipeMaker maker{picture.device.name, picture.device.driver,
                           trace_spirv_hash(choose_scene_loads(picture.device))};
   ImageFile image = picture.image;

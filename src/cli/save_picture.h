@@ -10,7 +10,7 @@ namespace vernier {
 RenderCommandArguments render_arguments(const RenderCommandArguments& arguments, const SavedPicture& picture);
 
 /// Writes `picture` as the file that `vernier render` writes by render_arguments, metadata and all. Throws Error(usage)
-/// for an unknown extension, Error(failed) where it cannot be written.
+/// for an unknown extension and for a file that the scene was read from, Error(failed) where it cannot be written.
 void save_picture(const RenderCommandArguments& arguments, const SavedPicture& picture);
 
 }  // namespace vernier

@@ -5,6 +5,7 @@
 
 #include "cli/builtin_scene.h"
 #include "cli/choose_camera.h"
+#include "math/elapsed.h"
 #include "render/memory_need.h"
 #include "scene/environment_image.h"
 #include "scene/frame_scene.h"
@@ -14,10 +15,6 @@ namespace vernier {
 namespace {
 
 using Clock = std::chrono::steady_clock;
-
-double milliseconds_since(Clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
-}
 
 LoadingScene open_input(const SceneSettings& settings) {
   const LoadOptions options{settings.strict};
@@ -66,14 +63,14 @@ LoadingSetup open_setup(const SceneSettings& settings, double aspect) {
   setup.camera = choose_camera(setup.scene, settings, aspect);
   setup.default_lights = setup.scene.lights.empty() && settings.lights.empty();
   set_lighting(setup.scene, loading.images, setup.camera, settings);
-  setup.load_ms = milliseconds_since(start);
+  setup.load_ms = ms_since(start);
   return loading;
 }
 
 SceneSetup finish(LoadingSetup loading) {
   const Clock::time_point start = Clock::now();
   loading.images.finish(loading.setup.scene);
-  loading.setup.load_ms += milliseconds_since(start);
+  loading.setup.load_ms += ms_since(start);
   return std::move(loading.setup);
 }
 

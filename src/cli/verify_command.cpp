@@ -16,6 +16,7 @@
 #include "cli/scene_setup.h"
 #include "error.h"
 #include "render/pipeline_file.h"
+#include "render/trace_pipeline.h"
 #include "render/traversal_form.h"
 #include "verify/mutations.h"
 #include "verify/verify_report.h"
@@ -37,24 +38,10 @@ struct VerifyArguments {
   bool quiet = false;
 };
 
-void set_level(CaseSetup& setup, const std::string& level) {
-  if (level == "fast") {
-    setup.level = Accuracy::fast;
-    setup.levels = LEVELS_OF(LEVEL_FAST);
-  } else if (level == "robust") {
-    setup.level = Accuracy::robust;
-    setup.levels = LEVELS_OF(LEVEL_ROBUST);
-  } else if (level == "exact") {
-    setup.level = Accuracy::exact;
-    setup.levels = LEVELS_OF(LEVEL_EXACT);
-  } else {
-    throw Error(ErrorKind::usage, "--level: `" + level + "` is not fast, robust or exact");
-  }
-}
-
 CaseSetup case_setup(const VerifyArguments& arguments) {
   CaseSetup setup;
-  set_level(setup, arguments.level);
+  setup.level = parse_accuracy("--level", arguments.level);
+  setup.levels = levels_of(setup.level);
   constexpr std::uint32_t kMost = std::numeric_limits<std::uint32_t>::max();
   setup.seed = parse_count("--seed", arguments.seed, 0, kMost);
   setup.traversal = parse_traversal(arguments.traversal);
@@ -210,8 +197,7 @@ void add_verify_command(CLI::App& app, Command& chosen) {
   command.add_option("--json", arguments->json_file, "writes the same as JSON (default: none)")->type_name("FILE");
   command.add_flag("--costs,!--no-costs", arguments->with_costs,
                    "times a picture at each level of each spot, when all cases run (default: on)");
-  command.add_option("--device", arguments->device, "device by index or part of its name (default: the best)")
-      ->type_name("INDEX|NAME");
+  add_device_option(command, arguments->device);
   add_traversal_option(command, arguments->traversal);
   command.add_flag("--quiet", arguments->quiet, "no progress (default: off)");
   command.footer("Example: vernier verify --case shared_edge --rays 1000000");

@@ -20,8 +20,7 @@ CLI::App& add_view_subcommand(CLI::App& app, ViewArguments& arguments) {
   add_bvh_option(command, render.render.bvh);
   add_dispatch_options(command, render.render);
   add_scene_options(command, render.scene);
-  command.add_option("--device", render.device, "index or part of the name, see vernier devices (default: the best)")
-      ->type_name("INDEX|NAME");
+  add_device_option(command, render.device);
   command
       .add_option("--exposure", render.exposure,
                   "stops added to the picture and to saved display images, -100 to 100 (default: 0)")

@@ -15,6 +15,7 @@
 #include "cli/warnings.h"
 #include "error.h"
 #include "gpu/vector_width.h"
+#include "math/elapsed.h"
 #include "preview/picture_limit.h"
 #include "preview/viewer.h"
 #include "render/memory_need.h"
@@ -56,7 +57,7 @@ ViewedScene load_viewed(SceneSettings settings, const RenderCommandArguments& ar
   viewed.camera = setup.camera;
   viewed.lights_follow = setup.default_lights;
   viewed.scene = std::move(setup.scene);
-  viewed.load_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  viewed.load_ms = ms_since(start);
   return viewed;
 }
 

@@ -37,7 +37,8 @@ bool is_zero(const glm::vec3& value) {
 
 std::string to_text(const glm::vec3& value) {
   std::ostringstream text;
-  text << value.x << ", " << value.y << ", " << value.z;
+  const glm::vec3 shown = value + 0.0f;  // without -0
+  text << shown.x << ", " << shown.y << ", " << shown.z;
   return text.str();
 }
 
@@ -49,7 +50,7 @@ std::uint32_t kind_bit(LightKind kind) {
 }
 
 // Why a light does not shine on anything; empty where it may.
-std::string why_dark(const Light& light, const WorldBox& box) {
+std::string why_dark(const Light& light, const WorldBounds& box) {
   if (is_zero(light.intensity)) return "its intensity is 0";
   if (light.kind == LightKind::directional || (light.range != 0.0 && light_reaches(light, box))) return "";
   std::ostringstream text;
@@ -57,8 +58,8 @@ std::string why_dark(const Light& light, const WorldBox& box) {
   return text.str();
 }
 
-void detect_lights(EffectSet& effects, const Scene& scene, const std::vector<SeenMaterial>& seen, const WorldBox& box,
-                   bool every_light_shines) {
+void detect_lights(EffectSet& effects, const Scene& scene, const std::vector<SeenMaterial>& seen,
+                   const WorldBounds& box, bool every_light_shines) {
   const SeenMaterial* lit = nullptr;
   const SeenMaterial* glossy = nullptr;
   for (const SeenMaterial& one : seen) {

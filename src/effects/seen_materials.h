@@ -16,7 +16,7 @@ struct SceneFacts {
   std::vector<MaterialUsage> usage;   ///< by material
   std::vector<TextureValues> values;  ///< by texture, of those that used materials have
   std::vector<NormalMapBend> bends;   ///< by material; varies where it has no normal texture or no triangle uses it
-  WorldBox box;
+  WorldBounds box;
 };
 
 /// O(triangles + vertices + texels of textures that are the same all over).

@@ -4,6 +4,7 @@
 
 #include "error.h"
 #include "gpu/submission.h"
+#include "gpu/vk_check.h"
 
 namespace vernier {
 namespace {

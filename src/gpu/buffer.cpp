@@ -8,6 +8,7 @@
 
 #include "error.h"
 #include "gpu/submission.h"
+#include "gpu/vk_check.h"
 #include "math/large_pages.h"
 
 namespace vernier {

@@ -35,10 +35,14 @@ std::string listing(const std::vector<DeviceDescription>& devices) {
 
 const DeviceDescription* best_usable(const std::vector<DeviceDescription>& devices, const std::string& selector) {
   const std::string name_part = lower_case(without_vector_width(selector));
+  // A whole name first: recipes hold it, and it may be a part of another's.
+  const auto rank = [&](const DeviceDescription& device) {
+    return std::tuple(lower_case(device.name) != name_part, preference(device));
+  };
   const DeviceDescription* best = nullptr;
   for (const DeviceDescription& device : devices) {
     if (!device.usable || lower_case(device.name).find(name_part) == std::string::npos) continue;
-    if (best == nullptr || preference(device) < preference(*best)) best = &device;
+    if (best == nullptr || rank(device) < rank(*best)) best = &device;
   }
   return best;
 }

@@ -2,6 +2,9 @@
 
 #include <chrono>
 
+#include "gpu/vk_check.h"
+#include "math/elapsed.h"
+
 namespace vernier {
 namespace {
 
@@ -102,7 +105,7 @@ ComputePipeline::ComputePipeline(const Device& device, std::span<const std::uint
     return vk_check("compiling a shader",
                     [&] { return compile(device, spirv, bindings, push_constant_bytes, specialization); });
   });
-  compile_ms_ = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  compile_ms_ = ms_since(start);
 }
 
 BindingSet::BindingSet(const Device& device, const ComputePipeline& pipeline, std::span<const Binding> bindings) {

@@ -8,6 +8,7 @@
 
 #include "error.h"
 #include "gpu/vector_width.h"
+#include "gpu/vk_check.h"
 
 namespace vernier {
 namespace {

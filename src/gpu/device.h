@@ -46,8 +46,8 @@ struct DeviceDescription {
 std::vector<DeviceDescription> list_devices(const VulkanInstance& instance);
 
 /// The device that `selector` means: empty: the best usable one (discrete GPU, integrated, virtual, CPU; the lower
-/// index among equals; llvmpipe before other CPU devices); a number: that index; otherwise a part of the name, any
-/// case. Throws Error(no_device) that lists what there is.
+/// index among equals; llvmpipe before other CPU devices); a number: that index; otherwise the name or a part of
+/// it, any case; a whole name comes before a part of another. Throws Error(no_device) that lists what there is.
 DeviceDescription choose_device(const std::vector<DeviceDescription>& devices, const std::string& selector);
 
 /// An opened device with one compute queue. Features asked for: scalar block layout only (float64 where `float64`, ray
@@ -82,11 +82,4 @@ class Device {
   std::unique_ptr<PipelineStore> pipelines_ = std::make_unique<PipelineStore>();  // gone before the device is
 };
 
-/// Runs `call` and turns a Vulkan failure into an Error that says `what` was being done: device loss becomes
-/// Error(device_lost), out of memory and all else Error(failed).
-template <typename Call>
-decltype(auto) vk_check(const char* what, Call&& call);
-
 }  // namespace vernier
-
-#include "gpu/vk_check.h"

@@ -7,6 +7,8 @@
 #include <limits>
 
 #include "error.h"
+#include "gpu/vk_check.h"
+#include "math/elapsed.h"
 
 namespace vernier {
 namespace {
@@ -130,7 +132,7 @@ SubmissionTime Submitter::run(std::span<const Dispatch> dispatches, double timeo
       throw_lost(*device_, timeout_s);
     }
   });
-  const double wall_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  const double wall_ms = ms_since(start);
   return {timed ? vk_check("reading timestamps", [&] { return measured_ms(*device_, queries_); }) : wall_ms, wall_ms};
 }
 

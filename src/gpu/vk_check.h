@@ -5,11 +5,11 @@
 #include <vulkan/vulkan_raii.hpp>
 
 #include "error.h"
-#include "gpu/device.h"
 
 namespace vernier {
 
-/// See gpu/device.h.
+/// Runs `call` and turns a Vulkan failure into an Error that says `what` was being done: device loss becomes
+/// Error(device_lost), out of memory and all else Error(failed).
 template <typename Call>
 decltype(auto) vk_check(const char* what, Call&& call) {
   try {

@@ -26,9 +26,8 @@ std::array<int, 4> color_channels(const Layer& layer) {
 }  // namespace
 
 Image color_image(const ImageFile& file, const std::string& path) {
-  const auto layer =
-      std::find_if(file.layers.begin(), file.layers.end(), [](const Layer& each) { return each.name.empty(); });
-  if (layer == file.layers.end()) throw Error(ErrorKind::refused, path + ": has no colour layer (channels R G B)");
+  const Layer* layer = find_layer(file, "");
+  if (layer == nullptr) throw Error(ErrorKind::refused, path + ": has no colour layer (channels R G B)");
   const auto* values = std::get_if<std::vector<float>>(&layer->values);
   const std::array<int, 4> channels = color_channels(*layer);
   if (!values || channels[0] == kMissing)

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "error.h"
 #include "image/srgb_curve.h"
 
 namespace vernier {
@@ -34,16 +33,6 @@ std::array<float, 3> error_color(float value) {
   for (std::size_t c = 0; c < 3; ++c)
     color[c] = static_cast<float>(linear_from_srgb(std::lerp(kStops[stop][c], kStops[stop + 1][c], part)));
   return color;
-}
-
-Image error_picture(const std::vector<float>& errors, int width, int height) {
-  if (width < 0 || height < 0 || errors.size() != static_cast<std::size_t>(width) * height)
-    throw Error(ErrorKind::usage, "error picture: the map has not as many values as pixels");
-  Image picture{width, height, 3, {}};
-  picture.values.reserve(errors.size() * 3);
-  for (const float error : errors)
-    for (const float value : error_color(error)) picture.values.push_back(value);
-  return picture;
 }
 
 }  // namespace vernier

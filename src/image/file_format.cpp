@@ -6,10 +6,15 @@
 
 namespace vernier {
 
-FileFormat file_format(const std::string& path, ErrorKind kind_if_unknown) {
+std::string lower_case_extension(const std::string& path) {
   std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return extension;
+}
+
+FileFormat file_format(const std::string& path, ErrorKind kind_if_unknown) {
+  const std::string extension = lower_case_extension(path);
   if (extension == ".exr") return FileFormat::exr;
   if (extension == ".png") return FileFormat::png;
   if (extension == ".jpg" || extension == ".jpeg") return FileFormat::jpeg;

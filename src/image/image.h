@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -38,5 +40,11 @@ struct ImageFile {
   std::vector<Layer> layers;
   std::map<std::string, std::string> metadata;
 };
+
+/// The layer of that name; null where there is none.
+inline const Layer* find_layer(const ImageFile& file, std::string_view name) {
+  const auto found = std::ranges::find(file.layers, name, &Layer::name);
+  return found == file.layers.end() ? nullptr : &*found;
+}
 
 }  // namespace vernier

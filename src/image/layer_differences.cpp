@@ -7,11 +7,6 @@
 namespace vernier {
 namespace {
 
-const Layer* find_layer(const ImageFile& image, const std::string& name) {
-  const auto layer = std::ranges::find(image.layers, name, &Layer::name);
-  return layer == image.layers.end() ? nullptr : &*layer;
-}
-
 std::string title_of(const Layer& layer) {
   return layer.name.empty() ? "colour" : "layer `" + layer.name + "`";
 }

@@ -9,7 +9,8 @@ namespace {
 std::string cost_text(const PanelState& state, const EffectReason& effect) {
   if (!state.ledger) return "";
   for (const EffectCost& cost : state.ledger->effects) {
-    if (cost.bit == effect.bit) return format_text("%+.0f %%", 100.0 * (1.0 - cost.ratio.median));
+    if (cost.bit != effect.bit) continue;
+    return is_noise(cost.ratio) ? "noise" : format_text("%+.0f %%", 100.0 * (1.0 - cost.ratio.median));
   }
   return "";
 }

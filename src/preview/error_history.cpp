@@ -10,6 +10,7 @@ void ErrorHistory::add(const DevelopedFilm& film, std::uint32_t samples, double 
   map_.update(film);
   if (samples_ > 0) points_.push_back({seconds, static_cast<float>(map_.estimate().bound())});
   samples_ = samples;
+  not_finite_ = film.non_finite_pixels;
 }
 
 }  // namespace vernier

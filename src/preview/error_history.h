@@ -26,10 +26,13 @@ class ErrorHistory {
   void add(const DevelopedFilm& film, std::uint32_t samples, double seconds);
   /// In the order of time; none before two looks.
   const std::vector<Point>& points() const { return points_; }
+  /// Pixels that were not finite at the last look: what the others' error is worth then, no number tells.
+  std::uint64_t not_finite() const { return not_finite_; }
 
  private:
   ErrorMap map_;
   std::uint32_t samples_ = 0;
+  std::uint64_t not_finite_ = 0;
   std::vector<Point> points_;
 };
 

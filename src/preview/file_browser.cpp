@@ -4,23 +4,14 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
-#include <cctype>
+#include <ranges>
 
 #include "preview/imgui_input.h"
+#include "scene/load_scene.h"
 
 namespace vernier {
-namespace {
 
 namespace fs = std::filesystem;
-
-bool is_scene(const fs::path& path) {
-  std::string extension = path.extension().string();
-  std::ranges::transform(extension, extension.begin(),
-                         [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
-  return extension == ".gltf" || extension == ".glb" || extension == ".obj";
-}
-
-}  // namespace
 
 void FileBrowser::open() {
   open_ = true;
@@ -42,7 +33,7 @@ void FileBrowser::enter(const fs::path& folder) {
     std::error_code unreadable;
     const bool is_folder = place->is_directory(unreadable);
     const std::string name = place->path().filename().string();
-    if (name.front() == '.' || !(is_folder || is_scene(place->path()))) continue;
+    if (name.front() == '.' || !(is_folder || has_scene_extension(place->path()))) continue;
     entries_.push_back({name, is_folder});
   }
   std::ranges::sort(entries_, [](const Entry& a, const Entry& b) {
@@ -54,7 +45,8 @@ std::optional<std::string> FileBrowser::draw_recent() const {
   std::optional<std::string> chosen;
   if (recent_.empty()) return chosen;
   ImGui::TextUnformatted("Recent");
-  for (const std::string& file : recent_) {
+  constexpr int kShown = 5;  // more would leave no room for the folder
+  for (const std::string& file : recent_ | std::views::take(kShown)) {
     if (ImGui::Selectable(file.c_str())) chosen = file;
   }
   ImGui::Separator();

@@ -15,18 +15,25 @@ void draw_messages(PanelState& state) {
   if (!state.loading.empty()) quiet_text("Reading " + state.loading + " ...");
   if (!state.notice.empty()) quiet_text(state.notice);
   if (state.message.empty()) return;
-  ImGui::PushStyleColor(ImGuiCol_Text, kAlarmText);
-  ImGui::TextWrapped("%s", state.message.c_str());
-  ImGui::PopStyleColor();
+  alarm_text(state.message);
   if (ImGui::SmallButton("Dismiss")) state.message.clear();
   note_place(state.places, "Dismiss");
+}
+
+/// `12 s`, `3 min`, `2.5 h`.
+std::string time_text(double seconds) {
+  constexpr double kMinute = 60.0, kHour = 3600.0;
+  if (seconds < 2.0 * kMinute) return format_text("%.0f s", seconds);
+  return seconds < 2.0 * kHour ? format_text("%.0f min", seconds / kMinute) : format_text("%.1f h", seconds / kHour);
 }
 
 std::string progress_text(const ViewSession& session, const PictureState& picture) {
   const std::uint32_t all = session.settings().spp;
   const int done = static_cast<int>(picture.samples_done);
   if (session.is_complete()) return format_text("done: %u samples in %.1f s", all, picture.seconds);
-  if (picture.rendering) return format_text("rendering: %d of %u samples, %.0f s left", done, all, picture.eta_s);
+  if (picture.rendering) {
+    return format_text("rendering: %d of %u samples, %s left (Esc stops)", done, all, time_text(picture.eta_s).c_str());
+  }
   return format_text("preview: %d of %u samples; Render takes all", done, all);
 }
 
@@ -63,7 +70,7 @@ PanelActions draw_panels(const ViewSession& session, PanelState& state, float wi
   PanelActions actions;
   state.places.clear();
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({window.x - width, 0.0f});
+  ImGui::SetNextWindowPos({std::max(window.x - width, 0.0f), 0.0f});
   ImGui::SetNextWindowSize({width, window.y});
   ImGui::Begin("panels", nullptr, kColumn);
   draw_tasks(session, state, actions);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "error.h"
+#include "gpu/vk_check.h"
 
 namespace vernier {
 namespace {

@@ -32,7 +32,7 @@ void draw_error_plot(const std::vector<ErrorHistory::Point>& points) {
   for (const ErrorHistory::Point& point : points) logarithms.push_back(std::log10(std::max(point.error, 1e-7f)));
   const auto [least, most] = std::ranges::minmax(logarithms);
   const std::string title =
-      format_text("%.4f after %.1f s", static_cast<double>(points.back().error), points.back().seconds);
+      format_text("%.2g after %.1f s", static_cast<double>(points.back().error), points.back().seconds);
   const ImVec2 size{ImGui::GetContentRegionAvail().x, ImGui::GetFontSize() * 5.0f};
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   ImDrawList& canvas = *ImGui::GetWindowDrawList();
@@ -69,11 +69,7 @@ void draw_scene_section(const ViewSession& session, PanelState& state, PanelActi
       actions.camera = index;
     note_place(state.places, "Camera " + std::to_string(index + 1));
   }
-  for (const std::string& warning : scene.warnings) {
-    ImGui::PushStyleColor(ImGuiCol_Text, kAlarmText);
-    ImGui::TextWrapped("%s", warning.c_str());
-    ImGui::PopStyleColor();
-  }
+  for (const std::string& warning : scene.warnings) alarm_text(warning);
 }
 
 void draw_time_section(const ViewSession& session) {
@@ -83,10 +79,13 @@ void draw_time_section(const ViewSession& session) {
       format_text("%.2f million rays per second, %.0f ms per tile", picture.rays_per_s * 1e-6, picture.ms_per_tile));
   quiet_text(
       format_text("%.1f s for this picture; %.0f ms while the camera moves", picture.seconds, picture.coarse_ms));
-  if (session.errors().empty()) {
+  const ErrorHistory& errors = session.errors();
+  if (errors.not_finite() > 0) {
+    alarm_text("Not finite: " + counted(errors.not_finite(), "pixel"));
+  } else if (errors.points().empty()) {
     quiet_text("The error is estimated once every pixel has two passes.");
   } else {
-    draw_error_plot(session.errors());
+    draw_error_plot(errors.points());
   }
 }
 

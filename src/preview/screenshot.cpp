@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "image/color_image.h"
 #include "image/srgb_curve.h"
 #include "image/write_image.h"
 
@@ -16,15 +17,7 @@ void write_screenshot(const std::string& path, const Image& picture) {
   for (std::size_t value = 0; value < linear.size(); ++value) {
     linear[value] = static_cast<float>(linear_from_srgb(static_cast<double>(picture.values[value])));
   }
-  const ImageFile image{.width = picture.width,
-                        .height = picture.height,
-                        .x = 0,
-                        .y = 0,
-                        .full_width = picture.width,
-                        .full_height = picture.height,
-                        .layers = {Layer{"", {"R", "G", "B"}, std::move(linear)}},
-                        .metadata = {}};
-  write_image(path, image, {});
+  write_image(path, file_of_image({picture.width, picture.height, 3, std::move(linear)}), {});
 }
 
 std::string places_json(const WidgetPlaces& places, const ViewSession& session, bool settled,

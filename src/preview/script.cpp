@@ -2,6 +2,7 @@
 
 #include <GLFW/glfw3.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -66,6 +67,11 @@ void read_word(const std::string& name, char kind, std::istringstream& words, Sc
   event.words.push_back(word);
 }
 
+bool is_window_size(const ScriptEvent& event) {
+  constexpr double kMostSide = 16384.0;
+  return std::ranges::all_of(event.numbers, [](double side) { return side >= 1.0 && side <= kMostSide; });
+}
+
 ScriptEvent parse_line(const std::string& name, int line, const std::string& text) {
   std::istringstream words(text);
   ScriptEvent event;
@@ -76,6 +82,7 @@ ScriptEvent parse_line(const std::string& name, int line, const std::string& tex
     for (const char* kind = verb.words; *kind != '\0'; ++kind) read_word(name, *kind, words, event);
     std::string rest;
     if (words >> rest) refuse(name, line, "`" + rest + "` is too much");
+    if (event.verb == "size" && !is_window_size(event)) refuse(name, line, "no window has that size");
     return event;
   }
   refuse(name, line, "there is no event `" + event.verb + "`");

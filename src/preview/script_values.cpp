@@ -1,16 +1,18 @@
 #include "preview/script_values.h"
 
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
 #include "error.h"
+#include "preview/picture_limit.h"
 
 namespace vernier {
 namespace {
 
-[[noreturn]] void refuse(const ScriptEvent& event) {
+[[noreturn]] void refuse(const ScriptEvent& event, const std::string& why = "") {
   throw Error(ErrorKind::usage, "script, line " + std::to_string(event.line) + ": `" + event.words[0] +
-                                    "` cannot be `" + event.words[1] + "`");
+                                    "` cannot be `" + event.words[1] + "`" + why);
 }
 
 std::uint32_t count_of(const ScriptEvent& event, std::uint32_t least, std::uint32_t most) {
@@ -29,8 +31,16 @@ glm::ivec2 pair_of(const ScriptEvent& event, int least) {
   return pair;
 }
 
+float exposure_of(const ScriptEvent& event) {
+  constexpr float kMostStops = 100.0f;
+  char* end = nullptr;
+  const float value = std::strtof(event.words[1].c_str(), &end);
+  if (*end != '\0' || !(std::abs(value) <= kMostStops)) refuse(event);
+  return value;
+}
+
 Accuracy level_of(const ScriptEvent& event) {
-  for (const Accuracy level : {Accuracy::fast, Accuracy::robust, Accuracy::exact}) {
+  for (const Accuracy level : kAccuracies) {
     if (event.words[1] == to_string(level)) return level;
   }
   refuse(event);
@@ -43,6 +53,7 @@ bool set_picture(const ScriptEvent& event, PanelState& state) {
   RenderSettings& settings = state.settings;
   if (name == "Size") {
     state.edited_size = pair_of(event, 1);
+    if (const std::string fault = picture_fault(state.edited_size); !fault.empty()) refuse(event, ", " + fault);
     settings.width = state.edited_size.x;
     settings.height = state.edited_size.y;
   } else if (name == "Samples") {
@@ -70,7 +81,7 @@ void set_by_script(const ScriptEvent& event, PanelState& state, PanelActions& ac
   } else if (name == "Show") {
     state.display.layer = count_of(event, 0, DISPLAY_COUNT - 1);
   } else if (name == "Exposure") {
-    state.display.exposure_ev = static_cast<float>(std::atof(event.words[1].c_str()));
+    state.display.exposure_ev = exposure_of(event);
   } else if (name == "File") {
     state.save_path = event.words[1];
   } else {

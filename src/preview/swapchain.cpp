@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "error.h"
+#include "gpu/vk_check.h"
 
 namespace vernier {
 namespace {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "error.h"
+#include "math/elapsed.h"
 #include "preview/camera_words.h"
 #include "preview/recent_files.h"
 #include "preview/view_window.h"
@@ -21,10 +22,6 @@ constexpr double kRestSeconds = 0.15;
 constexpr double kIdleWaitSeconds = 0.1;
 /// The same while something else goes on.
 constexpr double kBusyWaitSeconds = 0.01;
-
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
 
 }  // namespace
 
@@ -49,7 +46,7 @@ bool ViewWindow::is_closing() const {
 }
 
 double ViewWindow::aspect() const {
-  return static_cast<double>(state_.settings.width) / state_.settings.height;
+  return aspect_of(state_.settings);
 }
 
 void ViewWindow::run() {
@@ -123,6 +120,7 @@ void ViewWindow::load(const std::string& source) {
   if (loading_.valid()) throw Error(ErrorKind::failed, "wait until " + state_.loading + " is read");
   state_.loading = source;
   state_.message.clear();
+  state_.notice.clear();
   loading_ = std::async(std::launch::async, plan_.load_scene, source, CameraWords{}, aspect());
 }
 
@@ -142,6 +140,7 @@ void ViewWindow::apply() {
   } catch (const Error& error) {
     if (error.kind() == ErrorKind::device_lost) throw;
     state_.message = error.what();
+    state_.notice.clear();
     state_.settings = session_->settings();
     state_.edited_size = {state_.settings.width, state_.settings.height};
   } catch (const std::bad_alloc&) {  // by what is loaded beside
@@ -225,13 +224,15 @@ void ViewWindow::save() {
   RenderStatistics statistics;
   ImageFile image = read_film(stage_.device(), session_->film(), session_->settings(), statistics);
   statistics.stopped = !session_->is_complete();
+  const std::uint64_t not_finite = statistics.non_finite_pixels;
   plan_.save({state_.save_path, std::move(image), std::move(statistics), session_->viewed(), words_,
               session_->settings(), state_.display.exposure_ev, stage_.device().description()});
   state_.message.clear();
-  state_.notice = "Saved " + state_.save_path +
-                  (session_->is_complete() ? ""
-                                           : format_text(" with %.0f of %u samples", session_->state().samples_done,
-                                                         session_->settings().spp));
+  state_.notice = "Saved " + state_.save_path;
+  if (!session_->is_complete()) {
+    state_.notice += format_text(" with %.0f of %u samples", session_->state().samples_done, session_->settings().spp);
+  }
+  if (not_finite > 0) state_.notice += "; not finite: " + counted(not_finite, "pixel");
 }
 
 }  // namespace vernier

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "effects/detect_effects.h"
+#include "math/elapsed.h"
 #include "render/read_film.h"
 #include "scene/frame_scene.h"
 #include "shared/film_layout.h"
@@ -22,20 +23,12 @@ constexpr double kLongestDispatchMs = 45.0;
 
 using Clock = std::chrono::steady_clock;
 
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
 /// `samples`, whole where only the rounding of a share keeps it from being so: a tile is more than a billionth of a
 /// picture.
 double without_rounding(double samples) {
   constexpr double kLessThanATile = 1e-9;
   const double nearest = std::round(samples);
   return std::fabs(samples - nearest) < kLessThanATile ? nearest : samples;
-}
-
-bool counts_cost(const RenderSettings& settings) {
-  return std::ranges::find(settings.aovs, "cost") != settings.aovs.end();
 }
 
 /// Whether kernels, film and buffers made for `before` do for `after`.
@@ -63,7 +56,7 @@ void ViewSession::prepare(const RenderSettings& settings) {
       detect_effects(viewed_.scene, camera_, static_cast<int>(settings.max_bounces), settings.cutoff);
   const EffectSet effects = choose_effects(automatic, settings.effects);
   TraceSpecialization specialization = specialize(effects.bits, shape_of(staged_.packed()), effects.depth.bounces,
-                                                  counts_cost(settings), device_.description());
+                                                  wants_aov(settings, "cost"), device_.description());
   specialization.levels = levels_of(settings.accuracy);
   auto film = std::make_unique<Film>(device_, PixelRect{0, 0, settings.width, settings.height}, true);
   RenderSettings scheduled = settings;
@@ -76,7 +69,6 @@ void ViewSession::prepare(const RenderSettings& settings) {
   aov_tracer->trace({0, 0, 1, 1});
   effects_ = effects;
   automatic_ = automatic;
-  specialization_ = specialization;
   settings_ = settings;
   aov_tracer_ = std::move(aov_tracer);
   tracer_ = std::move(tracer);
@@ -220,7 +212,7 @@ EffectLedger ViewSession::measure_effects(const std::function<void(double)>& pro
   small.spp = small.sample_end = 2;
   small.sample_begin = 0;
   EffectCostSetup setup;
-  setup.rounds = 3;
+  setup.rounds = 5;
   setup.progress = progress;
   setup.stop = stop;
   return measure_effect_costs(device_, viewed_.scene, camera_, small, effects_, setup);

@@ -90,7 +90,7 @@ class ViewSession {
   bool is_whole() const { return whole_; }
   const PictureState& state() const { return state_; }
   /// Estimates of this picture's error so far.
-  const std::vector<ErrorHistory::Point>& errors() const { return errors_.points(); }
+  const ErrorHistory& errors() const { return errors_; }
   /// Pixel (x, y) of the picture; none while there is no full picture. Waits.
   std::optional<PixelFacts> pixel(int x, int y);
 
@@ -116,7 +116,6 @@ class ViewSession {
   RenderSettings settings_;
   EffectSet effects_, automatic_;
   StagedScene staged_;
-  TraceSpecialization specialization_;
   std::unique_ptr<Film> film_;
   std::unique_ptr<FilmTracer> tracer_;
   std::unique_ptr<AovTracer> aov_tracer_;

@@ -16,8 +16,6 @@
 namespace vernier {
 namespace {
 
-constexpr float kPanelWidth = 340.0f;
-
 /// `picture` as large as it fits into `room`, in its middle.
 ShownPicture fitted(glm::ivec2 picture, glm::ivec2 full, glm::ivec2 room) {
   ShownPicture shown;
@@ -44,7 +42,7 @@ bool ViewWindow::frame(double wait_s) {
   stage_.interface().begin_frame([this] {
     if (replay_) put_input(replay_->next_input());
   });
-  const float panel = kPanelWidth * stage_.interface().scale();
+  const float panel = static_cast<float>(kPanelWidth) * stage_.interface().scale();
   const glm::ivec2 size = window_.size_px();
   const glm::ivec2 room = glm::max(size - glm::ivec2(static_cast<int>(panel), 0), glm::ivec2(1));
   note(draw_panels(*session_, state_, panel));

@@ -14,6 +14,9 @@
 
 namespace vernier {
 
+/// Of the panels beside the picture, at a scale of 1, pixels.
+constexpr int kPanelWidth = 340;
+
 /// A scene in a window: input, panels, picture. Owns all but the window, which outlives it.
 class ViewWindow {
  public:

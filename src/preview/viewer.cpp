@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "error.h"
+#include "math/elapsed.h"
 #include "preview/view_window.h"
 
 namespace vernier {
@@ -13,11 +14,7 @@ using Clock = std::chrono::steady_clock;
 
 /// A device that is lost again so soon is beyond repair.
 constexpr double kLostAgainSeconds = 10.0;
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
 
-constexpr int kPanelWidth = 340;
 /// Room for small pictures, so that the panels can be read beside them.
 const glm::ivec2 kLeastRoom(480, 680);
 
@@ -26,7 +23,7 @@ const glm::ivec2 kLeastRoom(480, 680);
 void view_scene(const ViewPlan& plan) {
   const auto load = [](const ViewPlan& wanted) {
     const RenderSettings& settings = wanted.settings;
-    return wanted.load_scene(wanted.source, wanted.words, static_cast<double>(settings.width) / settings.height);
+    return wanted.load_scene(wanted.source, wanted.words, aspect_of(settings));
   };
   ViewedScene first = load(plan);
   const glm::ivec2 room = glm::max(glm::ivec2(plan.settings.width, plan.settings.height), kLeastRoom);

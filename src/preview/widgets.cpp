@@ -39,12 +39,24 @@ std::string format_text(const char* format, ...) {
   return text.data();
 }
 
-void quiet_text(const std::string& text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, kQuietText);
+namespace {
+
+void colored_text(const std::string& text, const ImVec4& color) {
+  ImGui::PushStyleColor(ImGuiCol_Text, color);
   ImGui::PushTextWrapPos(0.0f);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopStyleColor();
+}
+
+}  // namespace
+
+void quiet_text(const std::string& text) {
+  colored_text(text, kQuietText);
+}
+
+void alarm_text(const std::string& text) {
+  colored_text(text, kAlarmText);
 }
 
 void label(const char* name) {

@@ -30,6 +30,8 @@ std::string format_text(const char* format, ...) __attribute__((format(printf, 1
 
 /// Wrapped text in kQuietText.
 void quiet_text(const std::string& text);
+/// Wrapped text in kAlarmText.
+void alarm_text(const std::string& text);
 /// A name on the left; the widget that follows fills the right of the column.
 void label(const char* name);
 /// A section that can be folded; false while it is.

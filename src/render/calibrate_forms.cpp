@@ -23,11 +23,6 @@ struct Candidate {
       : staged(device, scene, camera, settings), timed(staged, staged.specialization(effects), settings) {}
 };
 
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values[values.size() / 2];
-}
-
 /// Null where the device refuses it; `why` says so then.
 std::unique_ptr<Candidate> candidate_for(const Device& device, const Scene& scene, const Camera& camera,
                                          const RenderSettings& settings, std::string& why) {
@@ -90,7 +85,7 @@ std::optional<FormCalibration> calibrate_forms(const Device& device, const Scene
     if (one == nullptr) continue;
     FormTiming& timing = found.forms[i];
     timing.compile_ms = one->timed.compile_ms();
-    timing.device_ms = median(one->ms);
+    timing.device_ms = spread_of(one->ms).median;
     timing.ratio = spread_of(one->ratios);
     if (one->timed.picture().values != picture) timing.left_out = "draws another picture";
   }

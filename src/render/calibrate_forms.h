@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gpu/device.h"
+#include "math/spread.h"
 #include "render/render_settings.h"
 #include "render/timed_trace.h"
 #include "scene/scene.h"
@@ -18,7 +19,7 @@ struct FormTiming {
   std::string left_out;  ///< why there are no times: the device refuses it, or it draws another picture
   double compile_ms = 0.0;
   double device_ms = 0.0;  ///< of a picture, median
-  RatioSpread ratio;       ///< of its time to that of the device's default right before
+  Spread ratio;            ///< of its time to that of the device's default right before
 };
 
 /// All forms on a device, and which is best there.

@@ -14,10 +14,6 @@ constexpr std::uint32_t kEveryEffect = (1u << EFFECT_COUNT) - 1;
 /// Between mirrors, rays go on for as long as they are let; what is deeper than that is weak, and costs the same again.
 constexpr std::uint32_t kDeepestTimed = 16;
 
-double median(std::vector<double> values) {
-  return spread_of(std::move(values)).median;
-}
-
 /// The frame of a plan and what it is compared with.
 class Bench {
  public:
@@ -36,10 +32,10 @@ class Bench {
 
   const RayCounts& rays() const { return rays_; }
   const SavedMemory& saved() const { return saved_; }
-  double frame_ms() const { return median(frame_ms_); }
+  double frame_ms() const { return spread_of(frame_ms_).median; }
 
   /// Device time of `other` to the frame's.
-  RatioSpread ratio_of(TimedTrace& other) {
+  Spread ratio_of(TimedTrace& other) {
     std::vector<double> ratios;
     for (int round = 0; round < rounds_; ++round) {
       frame_ms_.push_back(frame_.trace().device_ms);
@@ -48,7 +44,7 @@ class Bench {
     return spread_of(std::move(ratios));
   }
 
-  RatioSpread ratio_of_all() {
+  Spread ratio_of_all() {
     TimedTrace all(scene_, scene_.specialization(kEveryEffect), settings_);
     all.trace();
     return ratio_of(all);
@@ -77,7 +73,7 @@ class Bench {
       costs.push_back({depth, rays - before, added_ms(depth)});
       before = rays;
     }
-    scene_.set_max_bounces(bounces_);
+    set_bounces(bounces_);
     return costs;
   }
 
@@ -89,8 +85,14 @@ class Bench {
     return values;
   }
 
+  void set_bounces(std::uint32_t depth) {
+    RenderSettings settings = settings_;
+    settings.max_bounces = depth;
+    scene_.set_settings(settings);
+  }
+
   TraceTime trace_to(std::uint32_t depth) {
-    scene_.set_max_bounces(depth);
+    set_bounces(depth);
     return frame_.trace();
   }
 
@@ -101,7 +103,7 @@ class Bench {
       const double shallower = depth == 0 ? 0.0 : trace_to(depth - 1).device_ms;
       ms.push_back(trace_to(depth).device_ms - shallower);
     }
-    return median(std::move(ms));
+    return spread_of(std::move(ms)).median;
   }
 
   RenderSettings settings_;

@@ -6,6 +6,7 @@
 
 #include "effects/effect_set.h"
 #include "gpu/device.h"
+#include "math/spread.h"
 #include "render/timed_trace.h"
 #include "scene/scene.h"
 
@@ -17,10 +18,15 @@ struct EffectCost {
   std::uint32_t bit = 0;
   std::uint32_t without = 0;  ///< all bits that were left out
   std::int64_t rays = 0;      ///< rays saved; below 0 where the others trace more without it
-  RatioSpread ratio;          ///< device time without it to that with it
+  Spread ratio;               ///< device time without it to that with it
   double rmse = 0.0;          ///< of the picture without it, linear
   double flip_mean = 0.0;
 };
+
+/// Whether some rounds were quicker with the effect and some without, so that its time is not known.
+inline bool is_noise(const Spread& ratio) {
+  return ratio.least < 1.0 && ratio.most > 1.0;
+}
 
 /// What one more bounce adds to the frame.
 struct BounceCost {
@@ -34,7 +40,7 @@ struct EffectLedger {
   double frame_ms = 0.0;            ///< device time with the plan's effects, median
   RayCounts rays;                   ///< of that frame
   SavedMemory saved;                ///< of that frame
-  RatioSpread all;                  ///< device time with every effect there is to that with the plan's
+  Spread all;                       ///< device time with every effect there is to that with the plan's
   std::vector<EffectCost> effects;  ///< of those that are on, in bit order
   std::vector<BounceCost> bounces;  ///< until a bounce adds no ray, 16 at most
   bool complete = true;             ///< false: stopped before all were measured

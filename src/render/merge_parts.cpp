@@ -141,11 +141,6 @@ void for_each_pixel(const ImageFile& part, Visit visit) {
   }
 }
 
-const Layer* find_layer(const ImageFile& image, const std::string& name) {
-  const auto layer = std::ranges::find(image.layers, name, &Layer::name);
-  return layer == image.layers.end() ? nullptr : &*layer;
-}
-
 /// Copies the values of `from` to the same channels of `to`: pixel `a` of one to pixel `b` of the other for each pair
 /// that `each` visits. Both have the same channels and type.
 template <typename EachPair>

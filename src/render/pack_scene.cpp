@@ -6,6 +6,7 @@
 #include <cstring>
 
 #include "error.h"
+#include "math/elapsed.h"
 #include "render/bake_instances.h"
 #include "render/build_trees.h"
 #include "render/lay_out_vertices.h"
@@ -15,10 +16,6 @@
 
 namespace vernier {
 namespace {
-
-double milliseconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-}
 
 void set_environment(PackedScene& packed, const Scene& scene) {
   RenderConstants& constants = packed.constants;
@@ -79,15 +76,15 @@ PackedScene pack_shape(const Scene& scene, unsigned thread_count, std::optional<
   packed.space = choose_traced_space(world_bounds(scene));
   const InstancePlan plan = plan_instances(scene, method ? sharing : Sharing::never);
   BakedScene baked = bake_instances(scene, packed.space, plan, uvs);
-  packed.bake_ms = milliseconds_since(bake_start);
+  packed.bake_ms = ms_since(bake_start);
   const auto build_start = std::chrono::steady_clock::now();
   SceneTrees trees = build_trees(scene, plan, packed.space, baked, thread_count, method, progress);
-  packed.bvh_build_ms = milliseconds_since(build_start);
+  packed.bvh_build_ms = ms_since(build_start);
   const auto layout_start = std::chrono::steady_clock::now();
   const VertexLayout layout = baked.layout;
   packed.first_triangles = std::move(baked.first_triangles);
   packed.vertices = lay_out_vertices(std::move(baked), trees, thread_count);
-  packed.bake_ms += milliseconds_since(layout_start);
+  packed.bake_ms += ms_since(layout_start);
   packed.bvh = std::move(trees.bvh);
   packed.instances = std::move(trees.instances);
   packed.triangle_count = plan.triangles;
@@ -111,7 +108,7 @@ PackedScene pack_shape(const Scene& scene, unsigned thread_count, std::optional<
 PackedScene pack_shape(const Scene& scene, const RenderSettings& settings,
                        const std::function<void(double)>& progress) {
   const bool driver_builds = settings.traversal == TraversalForm::ray_query;
-  const bool shows_uv = std::ranges::find(settings.aovs, "uv") != settings.aovs.end();
+  const bool shows_uv = wants_aov(settings, "uv");
   return pack_shape(scene, 0, driver_builds ? std::nullopt : std::optional(settings.bvh), progress, settings.sharing,
                     shows_uv ? UvSets::all : UvSets::of_textures);
 }
@@ -149,7 +146,7 @@ void set_camera(PackedScene& packed, const Camera& camera, const RenderSettings&
   if (!(farthest <= std::exp2(40))) {
     throw Error(ErrorKind::refused, "the camera is more than 2^40 scene extents away from the scene");
   }
-  const double aspect = static_cast<double>(settings.width) / settings.height;
+  const double aspect = aspect_of(settings);
   const double half_height =
       camera.orthographic ? camera.half_height / space.metres_per_unit : std::tan(camera.vertical_fov / 2.0);
   constants.camera_origin = glm::vec3(origin);

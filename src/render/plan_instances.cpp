@@ -26,14 +26,11 @@ struct MeshUse {
 };
 
 TracedSpace mesh_space(const Mesh& mesh) {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  WorldBounds bounds{glm::dvec3(kInfinity), glm::dvec3(-kInfinity)};
+  WorldBounds bounds;
   for (const glm::uvec3& triangle : mesh.triangles) {
     if (triangle == glm::uvec3(0)) continue;  // dropped
     for (int corner = 0; corner < 3; ++corner) {
-      const glm::dvec3 position(mesh.positions[triangle[corner]]);
-      bounds.lo = glm::min(bounds.lo, position);
-      bounds.hi = glm::max(bounds.hi, position);
+      grow(bounds, glm::dvec3(mesh.positions[triangle[corner]]));
     }
   }
   return choose_traced_space(bounds);

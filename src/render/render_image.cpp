@@ -5,6 +5,7 @@
 
 #include "effects/detect_effects.h"
 #include "error.h"
+#include "math/elapsed.h"
 #include "render/film.h"
 #include "render/film_file.h"
 #include "render/gpu_scene.h"
@@ -16,10 +17,6 @@
 
 namespace vernier {
 namespace {
-
-bool wants(const RenderSettings& settings, const char* aov) {
-  return std::find(settings.aovs.begin(), settings.aovs.end(), aov) != settings.aovs.end();
-}
 
 void describe_scene(const Scene& scene, const PackedScene& packed, RenderStatistics& statistics) {
   statistics.triangles = packed.triangle_count;
@@ -84,7 +81,7 @@ GpuScene upload_scene(const Device& device, const PackedScene& packed, SceneLoad
   const auto start = std::chrono::steady_clock::now();
   GpuScene gpu_scene(device, packed, loads);
   gpu_scene.set_constants(device, packed.constants, packed.steering);
-  statistics.upload_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  statistics.upload_ms = ms_since(start);
   statistics.device_bytes = gpu_scene.size_bytes();
   return gpu_scene;
 }
@@ -146,13 +143,13 @@ RenderResult render_image(const Device& device, const Scene& scene, PackedScene 
   set_settings(packed, needed);
 
   GpuScene gpu_scene = upload_scene(device, packed, loads, statistics);
-  TraceSpecialization specialization = specialize(statistics.effects.bits, shape_of(packed), bounces,
-                                                  wants(settings, "cost"), device.description(), settings.traversal);
+  TraceSpecialization specialization =
+      specialize(statistics.effects.bits, shape_of(packed), bounces, wants_aov(settings, "cost"), device.description(),
+                 settings.traversal);
   specialization.levels = settings.spot_levels.value_or(levels_of(settings.accuracy));
   specialization.mutation = settings.mutation;
   specialization.count_effects = settings.count_effects;
   specialization.listed_pixels = settings.error_target.has_value();
-  statistics.spirv_hash = trace_spirv_hash(loads);
   packed = {};  // the device has it now
 
   Film film(device, area, wants_geometry(settings));

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
 #include <glm/glm.hpp>
 #include <limits>
@@ -23,6 +25,7 @@ struct PixelRect {
 
 /// Numeric level (README, Accuracy): what most renderers do; bounded errors; twice the precision.
 enum class Accuracy { fast, robust, exact };
+inline constexpr std::array kAccuracies{Accuracy::fast, Accuracy::robust, Accuracy::exact};
 
 /// The level's name on the command line.
 constexpr std::string_view to_string(Accuracy accuracy) {
@@ -31,9 +34,11 @@ constexpr std::string_view to_string(Accuracy accuracy) {
 
 /// How a pixel weighs its samples: all alike, or by a tent two pixels wide, which takes in its neighbours' halves.
 enum class PixelFilter { box, tent };
+inline constexpr std::array kPixelFilters{PixelFilter::box, PixelFilter::tent};
 
 /// How textures are looked up: as their file says, or all of them one way.
 enum class TextureFilter { file, nearest, linear };
+inline constexpr std::array kTextureFilters{TextureFilter::file, TextureFilter::nearest, TextureFilter::linear};
 
 /// The filters' names on the command line.
 constexpr std::string_view to_string(PixelFilter filter) {
@@ -84,6 +89,16 @@ struct RenderSettings {
 /// The pixels that are rendered.
 inline PixelRect image_area(const RenderSettings& settings) {
   return settings.crop.value_or(PixelRect{0, 0, settings.width, settings.height});
+}
+
+/// Width over height of the whole image.
+inline double aspect_of(const RenderSettings& settings) {
+  return static_cast<double>(settings.width) / settings.height;
+}
+
+/// Whether the layer `aov` is asked for.
+inline bool wants_aov(const RenderSettings& settings, std::string_view aov) {
+  return std::ranges::find(settings.aovs, aov) != settings.aovs.end();
 }
 
 }  // namespace vernier

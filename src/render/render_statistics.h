@@ -73,7 +73,6 @@ struct RenderStatistics {
   std::uint64_t device_bytes = 0;
   SavedMemory saved;
   EffectRuns effect_runs;  ///< only with RenderSettings::count_effects
-  std::string spirv_hash;
   std::vector<std::string> warnings;
 };
 

@@ -35,12 +35,6 @@ TraceSpecialization StagedScene::specialization(std::uint32_t effects) const {
   return values;
 }
 
-void StagedScene::set_max_bounces(std::uint32_t max_bounces) {
-  RenderSettings settings = settings_;
-  settings.max_bounces = max_bounces;
-  set_settings(settings);
-}
-
 void StagedScene::set_settings(const RenderSettings& settings) {
   vernier::set_settings(packed_, settings);
   gpu_scene_.set_textures(device_, packed_.textures);
@@ -87,11 +81,6 @@ Image TimedTrace::picture() const {
           .height = area.height,
           .channel_count = 4,
           .values = develop(film_.read_sums(device_), area).color};
-}
-
-RatioSpread spread_of(std::vector<double> ratios) {
-  std::sort(ratios.begin(), ratios.end());
-  return {.median = ratios[ratios.size() / 2], .least = ratios.front(), .most = ratios.back()};
 }
 
 }  // namespace vernier

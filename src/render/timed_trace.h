@@ -27,8 +27,6 @@ class StagedScene {
   SceneLoads loads() const { return loads_; }
   /// What the kernels are specialized to for `effects` at the settings' accuracy.
   TraceSpecialization specialization(std::uint32_t effects) const;
-  /// Traces begun from now on go `max_bounces` deep, at most as deep as the settings said at the start.
-  void set_max_bounces(std::uint32_t max_bounces);
   /// Traces begun from now on have the seed, samples, bounces, cutoff and filters of `settings`, whose size is the
   /// first one's.
   void set_settings(const RenderSettings& settings);
@@ -79,15 +77,5 @@ class TimedTrace {
   TraceTime before_;
   double compile_ms_ = 0.0;
 };
-
-/// Median, least and most of some ratios of times.
-struct RatioSpread {
-  double median = 1.0;
-  double least = 1.0;
-  double most = 1.0;
-};
-
-/// The spread of `ratios`; at least one.
-RatioSpread spread_of(std::vector<double> ratios);
 
 }  // namespace vernier

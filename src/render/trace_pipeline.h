@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string>
 
@@ -44,6 +45,10 @@ inline SceneShape shape_of(const PackedScene& packed) {
 
 /// The levels of all spots at `accuracy`.
 std::uint32_t levels_of(Accuracy accuracy);
+
+/// Names of SPOT_*, by number.
+inline constexpr std::array<const char*, SPOT_COUNT> kSpotNames{"box",     "triangle", "position", "spawn",
+                                                                "fresnel", "specular", "sum"};
 
 /// Rays of a path that can wait at a time where `effects` run, at most `max_bounces` deep: none where no ray branches.
 /// Up to 64; beyond that they are dropped and counted.

@@ -91,11 +91,8 @@ std::vector<glm::vec3> used_positions(const Mesh& mesh, Counted counted) {
 /// The corners of the box around some points.
 std::vector<glm::vec3> box_corners(const std::vector<glm::vec3>& points) {
   if (points.empty()) return {};
-  WorldBounds box{glm::dvec3(points[0]), glm::dvec3(points[0])};
-  for (const glm::vec3& point : points) {
-    box.lo = glm::min(box.lo, glm::dvec3(point));
-    box.hi = glm::max(box.hi, glm::dvec3(point));
-  }
+  WorldBounds box;
+  for (const glm::vec3& point : points) grow(box, glm::dvec3(point));
   std::vector<glm::vec3> corners;
   for (const glm::dvec3& corner : corners_of(box)) corners.push_back(glm::vec3(corner));
   return corners;
@@ -183,12 +180,8 @@ Camera fitted_camera(std::vector<glm::dvec3> points, const WorldBounds& box, con
 }
 
 WorldBounds bounds_of(const Scene& scene, Counted counted) {
-  WorldBounds bounds{glm::dvec3(std::numeric_limits<double>::infinity()),
-                     glm::dvec3(-std::numeric_limits<double>::infinity())};
-  for_each_vertex(scene, counted, [&](const glm::dvec3& place) {
-    bounds.lo = glm::min(bounds.lo, place);
-    bounds.hi = glm::max(bounds.hi, place);
-  });
+  WorldBounds bounds;
+  for_each_vertex(scene, counted, [&](const glm::dvec3& place) { grow(bounds, place); });
   return bounds;
 }
 

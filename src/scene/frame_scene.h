@@ -3,14 +3,9 @@
 #include <glm/glm.hpp>
 
 #include "scene/scene.h"
+#include "scene/world_bounds.h"
 
 namespace vernier {
-
-/// World-space box around triangles of all instances, in double.
-struct WorldBounds {
-  glm::dvec3 lo;
-  glm::dvec3 hi;
-};
 
 /// The bounds of `scene`, which has passed validate_scene. Triangles with two equal corners do not count, nor
 /// do dropped ones; those whose corners lie in a line do, since rounding may give them area once they are transformed.

@@ -1,32 +1,32 @@
 #include "scene/load_scene.h"
 
-#include <algorithm>
-#include <cctype>
-#include <filesystem>
 #include <utility>
 
 #include "error.h"
+#include "image/file_format.h"
 #include "scene/flat_normals.h"
 #include "scene/validate_scene.h"
 
 namespace vernier {
 namespace {
 
-std::string lower_case_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return extension;
+bool is_gltf(const std::string& extension) {
+  return extension == ".gltf" || extension == ".glb";
 }
 
 LoadingScene open_by_extension(const std::string& path, const LoadOptions& options) {
   const std::string extension = lower_case_extension(path);
-  if (extension == ".gltf" || extension == ".glb") return open_gltf(path, options);
+  if (is_gltf(extension)) return open_gltf(path, options);
   if (extension == ".obj") return open_obj(path, options);
   throw Error(ErrorKind::refused, path + ": not a scene file by its name, which must end in .gltf, .glb or .obj");
 }
 
 }  // namespace
+
+bool has_scene_extension(const std::string& path) {
+  const std::string extension = lower_case_extension(path);
+  return is_gltf(extension) || extension == ".obj";
+}
 
 LoadingScene open_scene(const std::string& path, const LoadOptions& options) {
   LoadingScene loading = open_by_extension(path, options);

@@ -20,6 +20,9 @@ struct LoadingScene {
   PendingImages images;  ///< give it those
 };
 
+/// Whether `path` ends in what open_scene takes: .gltf, .glb or .obj, in any case of letters.
+bool has_scene_extension(const std::string& path);
+
 /// Reads a scene file and begins to decode its images; the extension (.gltf, .glb, .obj, any case) picks the loader.
 /// The scene has passed validate_scene. Throws Error(refused) with file and place for anything broken, missing or too
 /// large.

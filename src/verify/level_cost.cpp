@@ -10,10 +10,6 @@
 namespace vernier {
 namespace {
 
-/// In the order of SPOT_*.
-constexpr std::array kSpotNames{"box", "triangle", "position", "spawn", "fresnel", "specular", "sum"};
-static_assert(kSpotNames.size() == SPOT_COUNT);
-
 struct Choice {
   const char* spot;
   const char* level;
@@ -58,8 +54,7 @@ std::vector<LevelCost> measure_level_costs(const Device& device, const Scene& sc
   }
   std::vector<LevelCost> costs;
   for (std::size_t i = 1; i < candidates.size(); ++i) {
-    const RatioSpread spread = spread_of(ratios[i]);
-    costs.push_back({all[i].spot, all[i].level, spread.median, spread.least, spread.most});
+    costs.push_back({all[i].spot, all[i].level, spread_of(ratios[i])});
   }
   return costs;
 }

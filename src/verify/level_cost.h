@@ -4,17 +4,16 @@
 #include <vector>
 
 #include "gpu/device.h"
+#include "math/spread.h"
 #include "scene/scene.h"
 
 namespace vernier {
 
 /// What a level costs at one spot: the time of a picture that takes it there, against the fast level everywhere.
 struct LevelCost {
-  std::string spot;    ///< "box", "triangle", ..., or "all" for every spot
-  std::string level;   ///< "robust" or "exact"
-  double ratio = 1.0;  ///< of device times, median over the rounds
-  double least = 1.0;  ///< of the rounds
-  double most = 1.0;
+  std::string spot;   ///< "box", "triangle", ..., or "all" for every spot
+  std::string level;  ///< "robust" or "exact"
+  Spread ratio;       ///< of device times, over the rounds
 };
 
 /// The picture and the rounds that measure_level_costs takes.

@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "math/elapsed.h"
+
 namespace vernier {
 
 const VerifyCase* find_case(const std::string& name) {
@@ -23,7 +25,7 @@ CaseReport run_case(const VerifyCase& verify_case, const CaseSetup& setup) {
   report.verify_case = &verify_case;
   const auto start = std::chrono::steady_clock::now();
   report.result = verify_case.run(setup);
-  report.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  report.seconds = seconds_since(start);
   const bool met = report.result.samples > 0 && (setup.level == Accuracy::fast || report.result.failures == 0);
   report.held = met || !report.result.not_run.empty();
   const bool bounded = !report.result.has_errors || std::isfinite(report.result.bound);

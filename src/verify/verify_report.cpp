@@ -10,10 +10,6 @@
 namespace vernier {
 namespace {
 
-const char* level_name(Accuracy level) {
-  return level == Accuracy::fast ? "fast" : level == Accuracy::robust ? "robust" : "exact";
-}
-
 /// "1.2e-07", or "-" where there is nothing to say.
 std::string figure(bool there, double value) {
   char text[32];
@@ -134,7 +130,7 @@ std::string level_cost_table(std::span<const LevelCost> costs) {
       row("\n    time of the built-in scene to the level fast: median of rounds (least to most)\n    %-10s %-22s %s\n",
           "spot", "robust", "exact");
   const auto figures = [](const LevelCost& cost) {
-    return row("%.2f (%.2f to %.2f)", cost.ratio, cost.least, cost.most);
+    return row("%.2f (%.2f to %.2f)", cost.ratio.median, cost.ratio.least, cost.ratio.most);
   };
   const std::size_t spots = costs.size() / 2;  // all of robust, then all of exact
   for (std::size_t i = 0; i < spots; ++i) {
@@ -152,17 +148,16 @@ nlohmann::json verify_json(const DeviceReport& device, const CaseSetup& setup, s
     cases.push_back(case_json(report));
     held = held && report.held;
   }
-  nlohmann::json json = {{"schema", 1},        {"device", device_json(device)},
-                         {"seed", setup.seed}, {"level", level_name(setup.level)},
-                         {"held", held},       {"samples_per_case", setup.sample_count},
-                         {"cases", cases}};
+  nlohmann::json json = {
+      {"schema", 1},  {"device", device_json(device)},          {"seed", setup.seed}, {"level", to_string(setup.level)},
+      {"held", held}, {"samples_per_case", setup.sample_count}, {"cases", cases}};
   if (const LeakCount leaks = count_leaks(reports); leaks.rays > 0) json["watertight"] = leak_json(leaks);
   for (const LevelCost& cost : costs) {
     json["level_costs"].push_back({{"spot", cost.spot},
                                    {"level", cost.level},
-                                   {"time_to_fast", cost.ratio},
-                                   {"least", cost.least},
-                                   {"most", cost.most}});
+                                   {"time_to_fast", cost.ratio.median},
+                                   {"least", cost.ratio.least},
+                                   {"most", cost.ratio.most}});
   }
   return json;
 }

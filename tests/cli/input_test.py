@@ -117,6 +117,9 @@ class InputTest(ProgramTest):
         self.check_error(REFUSED, "none.png", "explain", "a.obj", "--strict")
         self.write("none.png", "no picture")
         self.check_error(REFUSED, "none.png", "explain", "a.obj", "--strict")
+        self.write("a.mtl", "newmtl b\n")
+        self.assertIn("material 'a' is in no", self.check_done("explain", "a.obj", "--no-costs").stderr)
+        self.check_error(REFUSED, "material 'a' is in no", "explain", "a.obj", "--strict")
 
 
 if __name__ == "__main__":

@@ -50,7 +50,10 @@ class OutputTest(ProgramTest):
         os.makedirs(self.folder / "out/images")
         self.check_done("render", SCENE, "-o", "out/images/reference.png", *SMALL)
         truth = (self.folder / "out/images/reference.png").read_bytes()
-        self.check_error(USAGE, "--reference", "cost", "model.obj", "-o", "out", "--size", "24x16", "--reference", "out/images/reference.png")
+        (self.folder / "out/images/0.png").write_bytes(truth)
+        for picture in ("reference.png", "0.png"):
+            self.check_error(USAGE, f"the place of out/images/{picture}", "cost", "model.obj", "-o", "out", "--size", "24x16",
+                             "--reference", f"out/images/{picture}")
         self.assertEqual((self.folder / "out/images/reference.png").read_bytes(), truth)
         self.assertEqual({name: (self.folder / name).read_bytes() for name in before}, before)
 
@@ -70,6 +73,11 @@ class OutputTest(ProgramTest):
         self.check_error(FAILED, "before the first sample", "render", SCENE, "-o", "out.png", "--size", "2048x2048", "--spp", "4096",
                          "--dispatch-ms", "1", "--time-limit", "0.001")
         self.assertEqual((self.folder / "out.png").read_text(), "an older picture")
+        self.assertEqual(self.files(), ["out.png"])
+
+    def test_a_picture_with_gaps_is_told(self):
+        self.check_error(FAILED, "pixels without a sample are black", "render", SCENE, "-o", "out.png", "--size", "2048x2048",
+                         "--spp", "4", "--tile", "8x8", "--dispatch-ms", "1", "--time-limit", "1", "--quiet")
         self.assertEqual(self.files(), ["out.png"])
 
     def test_pixels_that_need_more_memory_than_there_is(self):

@@ -1,10 +1,12 @@
 """vernier render: files, statistics, determinism."""
 
+import base64
 import hashlib
 import json
 import re
 import resource
 import shlex
+import struct
 import unittest
 
 from program import DONE, FAILED, REFUSED, SCENE, SMALL, TRIANGLE_OBJ, ProgramTest
@@ -192,6 +194,22 @@ class RenderTest(ProgramTest):
         self.assertEqual(again.returncode, FAILED, again.stderr)
         self.assertIn(f"sample.exr: 1 pixel is not finite, the first: pixel {x},{y}, sample {sample};", again.stderr)
         self.assertEqual(json.loads((self.folder / "again.json").read_text())["rays"]["primary"], 1)
+
+    def test_an_opacity_at_the_cutoff_hides_nothing(self):
+        corners = struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0) + struct.pack("<12f", *[1.0] * 12)
+        scene = {"asset": {"version": "2.0"}, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+                 "meshes": [{"primitives": [{"attributes": {"POSITION": 0, "COLOR_0": 1}, "material": 0}]}],
+                 "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3"},
+                               {"bufferView": 0, "byteOffset": 36, "componentType": 5126, "count": 3, "type": "VEC4"}],
+                 "bufferViews": [{"buffer": 0, "byteLength": len(corners)}],
+                 "buffers": [{"byteLength": len(corners),
+                              "uri": "data:application/octet-stream;base64," + base64.b64encode(corners).decode()}]}
+        for name, mode in (("mask", {"alphaMode": "MASK", "alphaCutoff": 1.0}), ("opaque", {})):
+            self.write(f"{name}.gltf", json.dumps({**scene, "materials": [mode]}))
+            for command in ("render", "reference"):
+                self.check_done(command, f"{name}.gltf", "-o", f"{command}_{name}.exr", "--size", "48x48", "--spp", "1")
+        for command in ("render", "reference"):
+            self.assertIn("RMSE         0\n", self.check_done("diff", f"{command}_mask.exr", f"{command}_opaque.exr").stdout)
 
     def test_old_file_survives_a_failure(self):
         (self.folder / "out.png").write_bytes(b"old")

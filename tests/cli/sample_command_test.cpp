@@ -33,6 +33,14 @@ TEST(SampleCommand, NamesEverythingThatDecidesABit) {
       "--effects auto --filter box --texture-filter file --bvh default --seed 0 --device 'llvmpipe (LLVM 15)'");
 }
 
+TEST(SampleCommand, AnErrorTargetLeavesItsMostSamples) {
+  RenderPlan plan;
+  plan.render_arguments.error_target = "0.1";
+  const std::string command = sample_command(plan, "card", {.x = 1, .y = 2, .sample = 3});
+  EXPECT_NE(command.find("--spp 65536 --sample-range 3:4"), std::string::npos) << command;
+  EXPECT_EQ(command.find("--error-target"), std::string::npos) << command;
+}
+
 TEST(SampleCommand, TheBuiltinSceneHasNoName) {
   EXPECT_EQ(sample_command({}, "card", {}).find("vernier render -o sample.exr --size"), 0u);
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "device_test.h"
+#include "error.h"
 
 namespace vernier {
 namespace {

@@ -60,6 +60,14 @@ TEST(ChooseDevice, other_text_is_a_part_of_the_name_in_any_case) {
   EXPECT_EQ(choose_device(made_up_devices(), "card").index, 3);
 }
 
+TEST(ChooseDevice, a_whole_name_comes_before_a_part_of_another) {
+  const std::vector<DeviceDescription> devices = {made_up(0, "Card 3080 Ti", "discrete GPU"),
+                                                  made_up(1, "Card 3080", "discrete GPU")};
+  EXPECT_EQ(choose_device(devices, "card 3080").index, 1);
+  EXPECT_EQ(choose_device(devices, "Card 3080 Ti").index, 0);
+  EXPECT_EQ(choose_device(devices, "card 308").index, 0);
+}
+
 TEST(ChooseDevice, the_error_lists_what_there_is) {
   std::vector<DeviceDescription> devices = made_up_devices();
   devices[2].usable = false;

@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "device_test.h"
+#include "gpu/vk_check.h"
 #include "spirv/copy_words.h"
 #include "spirv/spin.h"
 

@@ -37,9 +37,9 @@ def png_size(path):
 
 
 class ScriptTest(WindowTest):
-    def replay(self, script, *arguments):
+    def replay(self, script, *arguments, scene=SCENES / "glass_ball.glb"):
         (self.folder / "script.txt").write_text(script, encoding="ascii")
-        return self.run_program("view", SCENES / "glass_ball.glb", "--size", f"{SIZE[0]}x{SIZE[1]}", "--script", "script.txt",
+        return self.run_program("view", scene, "--size", f"{SIZE[0]}x{SIZE[1]}", "--script", "script.txt",
                                 "--record", "shots", *arguments)
 
     def test_screenshots_of_a_session(self):
@@ -59,6 +59,21 @@ class ScriptTest(WindowTest):
         self.assertEqual(code, 0, said)
         self.assertIn("the device was lost", (self.folder / "places.json").read_text(encoding="utf-8"))
         self.assertTrue((self.folder / "shots" / "after.png").exists())
+
+    def test_a_saved_picture_takes_no_place_of_a_texture(self):
+        self.run_program("render", SCENES / "glass_ball.glb", "--size", "8x8", "--spp", "1", "-o", "texture.png")
+        texture = (self.folder / "texture.png").read_bytes()
+        (self.folder / "a.obj").write_text("mtllib a.mtl\nusemtl a\nvt 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1 2/1 3/1\n")
+        (self.folder / "a.mtl").write_text("newmtl a\nmap_Kd texture.png\n")
+        code, said = self.replay("settle\nset File texture.png\nclick Save\nwait 0.5\n", "--places", "places.json", scene="a.obj")
+        self.assertEqual(code, 0, said)
+        self.assertIn("a file of the scene", (self.folder / "places.json").read_text(encoding="utf-8"))
+        self.assertEqual((self.folder / "texture.png").read_bytes(), texture)
+
+    def test_sizes_that_no_window_shows(self):
+        code, said = self.replay("settle\nset Size 8192x8192\n")
+        self.assertEqual(code, 2, said)
+        self.assertIn("pixels in a window", said)
 
     def test_mistakes_are_told_before_a_window_opens(self):
         for script, part in (("jump\n", "line 1: there is no event `jump`"), ("wait\n", "needs more words")):

@@ -24,7 +24,13 @@ def interval_text(interval: dict) -> str:
     if interval["mean"] is None:
         return "–"
     half = None if interval["high"] is None else (interval["high"] - interval["low"]) / 2.0
-    return error_text(interval["mean"]) + ("" if half is None else f" ± {half:.1g}")
+    if half is None:
+        return error_text(interval["mean"])
+    if half < 1e-9 * abs(interval["mean"]):  # seeds that change nothing, but for the rounding of their mean
+        return error_text(interval["mean"]) + " ± 0"
+    # Both to the interval's first digit.
+    digits = max(-math.floor(math.log10(half)), 0)
+    return f"{interval['mean']:.{digits}f} ± {half:.1g}"
 
 
 def usable(cost: dict) -> list[dict]:

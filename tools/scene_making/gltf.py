@@ -9,7 +9,6 @@ from scene_making.meshes import Mesh, cross, subtract, unit
 FLOAT, UNSIGNED_SHORT, UNSIGNED_INT = 5126, 5123, 5125
 REPEAT, CLAMP, MIRROR = 10497, 33071, 33648
 NEAREST, LINEAR = 9728, 9729
-KNOWN_OPTIONAL = ("KHR_lights_punctual", "KHR_texture_transform")
 
 
 def rounded(values, digits=6):

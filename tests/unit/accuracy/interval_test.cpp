@@ -44,13 +44,6 @@ TEST(IntervalTest, CoversAsOftenAsItSays) {
   EXPECT_NEAR(static_cast<double>(below) / kTrials, 0.975, 0.008);
 }
 
-TEST(IntervalTest, TheMedianOfAnEvenNumberLiesBetween) {
-  const Spread spread = spread_of_values({4.0, 1.0, 3.0, 2.0});
-  EXPECT_DOUBLE_EQ(spread.median, 2.5);
-  EXPECT_DOUBLE_EQ(spread.least, 1.0);
-  EXPECT_DOUBLE_EQ(spread.most, 4.0);
-}
-
 TEST(IntervalTest, QuantilesFallTowardsTheNormalOne) {
   for (std::size_t degrees = 1; degrees < 40; ++degrees) EXPECT_LE(student_t(degrees + 1), student_t(degrees));
   EXPECT_DOUBLE_EQ(student_t(1000), 1.96);

@@ -16,18 +16,18 @@ Light lamp_at(const glm::dvec3& position, double range) {
   return light;
 }
 
-TEST(WorldBox, encloses_every_placed_mesh) {
+TEST(WorldBounds, encloses_every_placed_mesh) {
   Scene scene = one_triangle();
   Instance moved;
   moved.world_from_object = glm::translate(glm::dmat4(1.0), glm::dvec3(5, 0, -2));
   scene.instances.push_back(moved);
-  const WorldBox box = world_box(scene);
-  EXPECT_EQ(box.low, glm::dvec3(0, 0, -2));
-  EXPECT_EQ(box.high, glm::dvec3(6, 1, 0));
+  const WorldBounds box = world_box(scene);
+  EXPECT_EQ(box.lo, glm::dvec3(0, 0, -2));
+  EXPECT_EQ(box.hi, glm::dvec3(6, 1, 0));
 }
 
 TEST(LightReach, ends_at_the_range) {
-  const WorldBox box = world_box(one_triangle());  // [0, 1] x [0, 1] x [0, 0]
+  const WorldBounds box = world_box(one_triangle());  // [0, 1] x [0, 1] x [0, 0]
   EXPECT_TRUE(light_reaches(lamp_at({3, 0.5, 0}, 2.5), box));
   EXPECT_TRUE(light_reaches(lamp_at({3, 0.5, 0}, 2.0), box));  // just touches: in doubt
   EXPECT_FALSE(light_reaches(lamp_at({3, 0.5, 0}, 1.9), box));

@@ -4,8 +4,6 @@
 
 #include <cmath>
 
-#include "expect_error.h"
-
 namespace vernier {
 namespace {
 
@@ -28,15 +26,6 @@ TEST(ErrorColors, ClampToTheEndsAndMarkNan) {
   EXPECT_EQ(error_color(-1.0f), error_color(0.0f));
   EXPECT_EQ(error_color(INFINITY), error_color(1.0f));
   EXPECT_EQ(error_color(NAN), (std::array<float, 3>{1.0f, 0.0f, 1.0f}));
-}
-
-TEST(ErrorColors, PictureHasAColorPerPixel) {
-  const Image picture = error_picture({0.0f, 1.0f}, 1, 2);
-  ASSERT_EQ(picture.values.size(), 6u);
-  EXPECT_EQ(picture.height, 2);
-  EXPECT_EQ(picture.channel_count, 3);
-  EXPECT_EQ(picture.values[3], error_color(1.0f)[0]);
-  expect_error(ErrorKind::usage, "not as many values", [] { error_picture({0.0f}, 2, 1); });
 }
 
 }  // namespace

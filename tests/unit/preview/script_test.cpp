@@ -36,6 +36,7 @@ TEST(ScriptTest, MistakesAreToldWithTheirLine) {
   EXPECT_EQ(refusal("wait nan"), "s: line 1: `nan` is no number");
   EXPECT_EQ(refusal("close now"), "s: line 1: `now` is too much");
   EXPECT_EQ(refusal("press thumb"), "s: line 1: `thumb` is not left, middle or right");
+  EXPECT_EQ(refusal("size -5 10"), "s: line 1: no window has that size");
   EXPECT_EQ(refusal("key f13"), "s: line 1: there is no key `f13`");
 }
 
