@@ -117,7 +117,9 @@ void add_reference_command(CLI::App& app, Command& chosen) {
   add_size_option(command, arguments->render.size);
   add_sampling_options(command, arguments->render);
   add_filter_options(command, arguments->render);
-  command.add_option("--exposure", arguments->exposure, "stops added to display images, -100 to 100 (default: 0)")
+  command
+      .add_option("--exposure", arguments->exposure,
+                  "stops added to .png and .jpg, -100 to 100; the others stay linear (default: 0)")
       ->type_name("EV");
   command.add_option("--threads", arguments->threads, "threads, up to 1024; 0 is one per core (default: 0)")
       ->type_name("N");

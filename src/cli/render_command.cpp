@@ -169,7 +169,7 @@ void add_render_command(CLI::App& app, Command& chosen) {
   add_device_option(command, arguments->device);
   command
       .add_option("--exposure", arguments->exposure,
-                  "stops added to display images, -100 to 100; EXR stays linear (default: 0)")
+                  "stops added to .png and .jpg, -100 to 100; the others stay linear (default: 0)")
       ->type_name("EV");
   command
       .add_option(

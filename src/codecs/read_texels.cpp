@@ -48,6 +48,23 @@ void check_size(const OIIO::ImageSpec& spec, const std::string& name) {
   }
 }
 
+/// Texels that a byte can stand for in formats that pack by runs or not at all. The others can say in few bytes that an
+/// image is of one colour.
+std::uint64_t most_texels_of_byte(const std::string& format) {
+  if (format == "dds") return 2;
+  if (format == "ppm") return 8;
+  if (format == "hdr") return 16;  // 127 texels in runs of two bytes for each channel
+  if (format == "tga" || format == "bmp") return 128;
+  return kMaxTexels;
+}
+
+void check_length(const OIIO::ImageSpec& spec, std::size_t bytes, const std::string& format, const std::string& name) {
+  if (std::uint64_t(spec.width) * std::uint64_t(spec.height) / most_texels_of_byte(format) > bytes) {
+    refuse(name,
+           "the file is too short for " + std::to_string(spec.width) + "x" + std::to_string(spec.height) + " texels");
+  }
+}
+
 /// Where red, green, blue and alpha lie among `count` channels; -1: opaque.
 std::array<int, 4> channel_order(int count) {
   switch (count) {
@@ -149,6 +166,7 @@ void decode(std::span<const std::byte> encoded, const std::string& format, const
     refuse(name, "not an image in a format that can be read");
   }
   check_size(spec, name);
+  check_length(spec, encoded.size(), format, name);
 
   texels.width = std::uint32_t(spec.width);
   texels.height = std::uint32_t(spec.height);

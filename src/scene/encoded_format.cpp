@@ -49,8 +49,7 @@ std::uint32_t largest_index(std::span<const std::byte> encoded, std::size_t plac
     const std::uint32_t packet = is_packed ? std::to_integer<std::uint32_t>(encoded[place++]) : 0;
     const std::size_t covered = is_packed ? (packet & 127u) + 1 : pixels;
     const std::size_t stored = (packet & 128u) != 0 ? 1 : covered;
-    for (const std::byte index : encoded.subspan(std::min(place, encoded.size()))
-                                     .first(std::min(stored, encoded.size() - std::min(place, encoded.size())))) {
+    for (const std::byte index : encoded.subspan(place, std::min(stored, encoded.size() - place))) {
       largest = std::max(largest, std::to_integer<std::uint32_t>(index));
     }
     place += stored;

@@ -180,6 +180,12 @@ TEST(TextureFromImage, reads_plain_dds_and_refuses_masks_of_nothing) {
   expect_refused([&] { decode(plain_dds(low, none, high)); }, "DDS images are read with");
 }
 
+TEST(TextureFromImage, refuses_a_large_image_of_a_few_bytes) {
+  const TemporaryFolder folder;
+  const std::string header = "#?RADIANCE\nFORMAT=32-bit_rle_rgbe\n\n-Y 8192 +X 8192\n";
+  expect_refused([&] { decode_texels_from_file(folder.write("a.hdr", header), TexelEncoding::linear); }, "too short");
+}
+
 TEST(TextureFromImage, refuses_a_huge_image_by_its_header) {
   const TemporaryFolder folder;
   // A BMP header that promises 40000 x 40000 texels.
