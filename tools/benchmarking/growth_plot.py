@@ -1,5 +1,7 @@
 """Time of a ray against what grows, one small plot each, all of the same height."""
 
+import math
+
 from matplotlib import pyplot
 from matplotlib.ticker import FuncFormatter, NullFormatter, NullLocator
 
@@ -18,13 +20,17 @@ def short(value: float, _place=None) -> str:
 def draw(axes_rows: dict):
     """`axes_rows`: by name, rows with value, ns_per_ray and times_first."""
     drawing.set_style()
-    figure, plots = pyplot.subplots(1, len(axes_rows), figsize=(2.2 * len(axes_rows), 2.9), layout="constrained", sharey=True,
-                                   squeeze=False)
-    plots = plots[0]
-    for plot, (name, rows) in zip(plots, axes_rows.items()):
+    columns = min(len(axes_rows), 3)
+    rows_of_plots = math.ceil(len(axes_rows) / columns)
+    figure, plots = pyplot.subplots(rows_of_plots, columns, figsize=(2.9 * columns, 2.5 * rows_of_plots), layout="constrained",
+                                   sharey=True, squeeze=False)
+    for plot, (name, rows) in zip(plots.flat, axes_rows.items()):
         draw_axis(plot, name, rows)
-    plots[0].set_ylabel("ns per ray")
-    plots[0].set_ylim(bottom=0.0)
+    for plot in plots.flat[len(axes_rows):]:
+        plot.remove()
+    for first in plots[:, 0]:
+        first.set_ylabel("ns per ray")
+    plots[0, 0].set_ylim(bottom=0.0)
     return figure
 
 
