@@ -170,6 +170,24 @@ std::string plain_dds(const std::string& red, const std::string& green, const st
   return bytes + std::string("\x10", 1) + std::string(18, '\0') + "\1\2\3\4";
 }
 
+/// A DDS image of 4 x 4 texels in blocks of the format `code`.
+std::string block_dds(const std::string& code, const std::string& blocks) {
+  std::string bytes = std::string("DDS \x7c\0\0\0\x07\x10\0\0\4\0\0\0\4\0\0\0", 20) + std::string(56, '\0') +
+                      std::string("\x20\0\0\0\4\0\0\0", 8) + code;
+  bytes.resize(109, '\0');
+  return bytes + '\x10' + std::string(18, '\0') + blocks;
+}
+
+TEST(TextureFromImage, reads_dds_of_blocks_of_colours) {
+  const std::string red("\0\xf8\0\0\0\0\0\0", 8);  // colour 0 everywhere
+  const auto decode = [](const std::string& bytes) {
+    return decode_texels(std::as_bytes(std::span(bytes)), "image 0", TexelEncoding::srgb);
+  };
+  EXPECT_EQ(decode(block_dds("DXT1", red))->words, Words(16, 0xFF0000FFu));
+  EXPECT_EQ(decode(block_dds("DXT5", std::string("\x80\x80\0\0\0\0\0\0", 8) + red))->words, Words(16, 0x800000FFu));
+  expect_refused([&] { decode(block_dds("ATI2", red + red)); }, "DDS images are read with");
+}
+
 TEST(TextureFromImage, reads_plain_dds_and_refuses_masks_of_nothing) {
   const std::string low("\xff\0\0\0", 4), middle("\0\xff\0\0", 4), high("\0\0\xff\0", 4), none(4, '\0');
   const auto decode = [](const std::string& bytes) {
