@@ -19,18 +19,17 @@
 #define MATERIAL_THIN_WALLED 32u
 #define MATERIAL_FRESNEL_REFLECTION 64u
 
-// Texture slots. What a slot means in each workflow (channels in brackets, c: colour, sRGB unless the file says
-// otherwise):
+// Texture slots. What a slot means in each workflow (channels in brackets, c: colour, sRGB unless the file says otherwise):
 //                                   metallic-roughness        specular-glossiness      blinn
-#define TEXTURE_SLOT_BASE_COLOR 0      // base colour [rgb c, a]  diffuse [rgb c, a]       map_Kd [rgb c]
-#define TEXTURE_SLOT_SURFACE 1         // [g rough, b metal]      [rgb c spec, a gloss]    map_Ks [rgb c]
-#define TEXTURE_SLOT_NORMAL 2          // tangent space, all workflows (height maps are converted by the loader)
-#define TEXTURE_SLOT_OCCLUSION 3       // [r]                     [r]                      -
-#define TEXTURE_SLOT_EMISSION 4        // [rgb c]                 [rgb c]                  map_Ke [rgb c]
-#define TEXTURE_SLOT_TRANSMISSION 5    // [r]                     -                        -
-#define TEXTURE_SLOT_SPECULAR 6        // factor [a]              -                        map_Ns [r]
+#define TEXTURE_SLOT_BASE_COLOR 0    // base colour [rgb c, a]  diffuse [rgb c, a]       map_Kd [rgb c]
+#define TEXTURE_SLOT_SURFACE 1       // [g rough, b metal]      [rgb c spec, a gloss]    map_Ks [rgb c]
+#define TEXTURE_SLOT_NORMAL 2        // tangent space, all workflows (height maps are converted by the loader)
+#define TEXTURE_SLOT_OCCLUSION 3     // [r]                     [r]                      -
+#define TEXTURE_SLOT_EMISSION 4      // [rgb c]                 [rgb c]                  map_Ke [rgb c]
+#define TEXTURE_SLOT_TRANSMISSION 5  // [r]                     -                        -
+#define TEXTURE_SLOT_SPECULAR 6      // factor [a]              -                        map_Ns [r]
 #define TEXTURE_SLOT_SPECULAR_COLOR 7  // [rgb c]               -                        map_Ka [rgb c]
-#define TEXTURE_SLOT_ALPHA 8           // -                       -                        map_d [r]
+#define TEXTURE_SLOT_ALPHA 8         // -                       -                        map_d [r]
 #define TEXTURE_SLOT_COUNT 9
 
 // How texel words are stored, and what lies outside [0, 1).

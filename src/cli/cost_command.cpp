@@ -96,8 +96,8 @@ void check_outputs(const CostArguments& arguments, const Scene& scene) {
   check_not_read(files, scene.files);
   std::vector<std::string> read = scene.files;
   if (!arguments.reference.empty()) read.push_back(arguments.reference);
+  const fs::path folder = fs::weakly_canonical(fs::absolute(arguments.folder)) / "images";
   for (const std::string& file : read) {
-    const fs::path folder = fs::weakly_canonical(fs::absolute(arguments.folder)) / "images";
     if (fs::weakly_canonical(fs::absolute(file)).parent_path() != folder) continue;
     throw Error(ErrorKind::usage, "--output: its pictures could take the place of " + file + ", which is read");
   }

@@ -48,13 +48,13 @@ void check_size(const OIIO::ImageSpec& spec, const std::string& name) {
   }
 }
 
-/// Texels that a byte can stand for in formats that pack by runs or not at all. The others can say in few bytes that an
-/// image is of one colour.
+/// Texels that a byte can stand for, at most, in formats that pack by runs or not at all. The others can say in few
+/// bytes that an image is of one colour.
 std::uint64_t most_texels_of_byte(const std::string& format) {
-  if (format == "dds") return 2;
-  if (format == "ppm") return 8;
-  if (format == "hdr") return 16;  // 127 texels in runs of two bytes for each channel
-  if (format == "tga" || format == "bmp") return 128;
+  if (format == "dds") return 2;                       // 16 in blocks of 8 bytes
+  if (format == "ppm") return 8;                       // bitmaps
+  if (format == "hdr") return 16;                      // 127 texels in runs of two bytes for each channel
+  if (format == "tga" || format == "bmp") return 128;  // 255 of a BMP in runs of two bytes
   return kMaxTexels;
 }
 
@@ -187,8 +187,8 @@ void read_texels(std::span<const std::byte> encoded, const std::string& format, 
                  TexelEncoding encoding, const std::function<void(std::uint64_t)>& claim, Texels& texels) {
   try {
     decode(encoded, format, name, encoding, claim, texels);
-  } catch (const std::bad_alloc&) {
-    refuse(name, "not enough memory for its pixels");
+  } catch (const std::bad_alloc&) {  // not the image's fault
+    throw MemoryError(name + ": not enough memory for its pixels");
   } catch (const std::length_error&) {  // of a reader that believes its header
     refuse(name, "not enough memory for its pixels");
   }

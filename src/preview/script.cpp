@@ -68,7 +68,7 @@ void read_word(const std::string& name, char kind, std::istringstream& words, Sc
 }
 
 bool is_window_size(const ScriptEvent& event) {
-  constexpr double kMostSide = 16384.0;
+  constexpr double kMostSide = 16384.0;  // beyond any screen; window systems count in 16 bits
   return std::ranges::all_of(event.numbers, [](double side) { return side >= 1.0 && side <= kMostSide; });
 }
 
