@@ -57,7 +57,7 @@ RenderSettings reference_settings(const RenderSettings& settings) {
 }
 
 ConvergedReference render_reference_parts(StagedScene& staged, TimedTrace& trace, const RenderSettings& settings,
-                                          double budget_ms, const std::function<bool()>& stop) {
+                                          const ReferenceRun& run) {
   const auto start = std::chrono::steady_clock::now();
   ConvergedReference reference;
   reference.settings = settings;
@@ -68,13 +68,14 @@ ConvergedReference render_reference_parts(StagedScene& staged, TimedTrace& trace
     for (Image& picture : pictures) {
       reference.settings.seed = seed--;
       staged.set_settings(reference.settings);
-      trace.trace_anew(reference.settings, stop);
+      trace.trace_anew(reference.settings, run.stop);
       picture = trace.picture();
     }
-    if (stop && stop()) break;
+    if (run.stop && run.stop()) break;
     for (int half = 0; half < 2; ++half) sums[half].add(pictures[half]);
     reference.spp += 2 * settings.spp;
-  } while (ms_since(start) < budget_ms && reference.spp < kMostSpp);
+    if (run.progress) run.progress();
+  } while (ms_since(start) < run.budget_ms && reference.spp < kMostSpp);
   if (reference.spp == 0) throw Error(ErrorKind::failed, "interrupted before the reference was rendered");
   for (int half = 0; half < 2; ++half) reference.halves[half] = sums[half].mean();
   reference.image = mean_image(reference.halves[0], reference.halves[1]);

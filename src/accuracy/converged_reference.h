@@ -26,10 +26,16 @@ struct ConvergedReference {
 /// Settings of a part of the reference for points around `settings`: exact, twice as deep, a sixteenth of the cutoff.
 RenderSettings reference_settings(const RenderSettings& settings);
 
-/// Renders parts of 64 samples, of seeds that no point has, to two halves in turn, for `budget_ms` of wall time, at
-/// least one part each and at most 65536 samples. `stop` ends it and drops an unfinished pair of parts;
-/// throws Error(failed) where that is the first.
+/// How long and by whose leave a reference is rendered.
+struct ReferenceRun {
+  double budget_ms = 0.0;          ///< wall time
+  std::function<void()> progress;  ///< called after each pair of parts; may be empty
+  std::function<bool()> stop;      ///< true: ends it and drops an unfinished pair of parts; may be empty
+};
+
+/// Renders parts of 64 samples, of seeds that no point has, to two halves in turn, as long as `run` says, at least one
+/// part each and at most 65536 samples. Throws Error(failed) where the first pair of parts is stopped.
 ConvergedReference render_reference_parts(StagedScene& staged, TimedTrace& trace, const RenderSettings& settings,
-                                          double budget_ms, const std::function<bool()>& stop);
+                                          const ReferenceRun& run);
 
 }  // namespace vernier

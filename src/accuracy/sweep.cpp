@@ -48,8 +48,8 @@ class Bench {
   double left_ms() const { return setup_.budget_s * 1000.0 - ms_since(start_); }
   bool is_stopped() const { return setup_.stop && setup_.stop(); }
 
-  void tell() const {
-    if (setup_.progress) setup_.progress(std::min(1.0, ms_since(start_) / (setup_.budget_s * 1000.0)));
+  void tell(std::string_view work) const {
+    if (setup_.progress) setup_.progress(std::min(1.0, ms_since(start_) / (setup_.budget_s * 1000.0)), work);
   }
 
   TraceSpecialization specialization(const RenderSettings& settings) const {
@@ -91,10 +91,9 @@ class Bench {
       reference.file = setup_.truth_file;
     } else {
       const RenderSettings settings = reference_settings(setup_.settings);
-      sweep_.reference = render_reference_parts(staged_, trace_of(settings), settings,
-                                                kReferenceShare * setup_.budget_s * 1000.0, setup_.stop);
+      const ReferenceRun run{kReferenceShare * setup_.budget_s * 1000.0, [this] { tell("reference"); }, setup_.stop};
+      sweep_.reference = render_reference_parts(staged_, trace_of(settings), settings, run);
     }
-    tell();
   }
 
   void choose_points(double ms_per_sample) {
@@ -137,7 +136,7 @@ class Bench {
       for (PointResult& result : sweep_.points) {
         if (is_stopped()) break;
         run_point(result, setup_.settings.seed + static_cast<std::uint32_t>(round));
-        tell();
+        tell("round " + std::to_string(round + 1));
       }
       if (is_stopped()) {
         drop_unfinished();

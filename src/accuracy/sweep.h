@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "accuracy/converged_reference.h"
@@ -41,8 +42,9 @@ struct SweepSetup {
   bool quick = false;          ///< the most telling points alone
   std::optional<Image> truth;  ///< a reference that somebody else made, [height][width][4]
   std::string truth_file;
-  std::function<void(double)> progress;  ///< share of the budget; may be empty
-  std::function<bool()> stop;            ///< true: return what is measured; may be empty
+  /// Called with the share of the budget that is spent and what is being done, "reference" or "round 2"; may be empty.
+  std::function<void(double, std::string_view)> progress;
+  std::function<bool()> stop;  ///< true: return what is measured; may be empty
 };
 
 /// What a sweep found.

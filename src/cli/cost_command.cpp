@@ -142,7 +142,7 @@ Sweep measure(const CostArguments& arguments, SweepSetup& setup, const SceneSetu
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
   ProgressBar bar(arguments.quiet);
   const WorkClock clock;
-  setup.progress = [&](double share) { bar.update(clock.at(share)); };
+  setup.progress = [&](double share, std::string_view work) { bar.update(clock.at(share, work)); };
   setup.settings.traversal = calibrated_form(description, scene.scene, setup.settings.traversal);
   Sweep sweep = measure_costs(device.device(), scene.scene, scene.camera, setup);
   names.device = description.name;

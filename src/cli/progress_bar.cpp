@@ -28,9 +28,9 @@ bool known(double value) {
 
 }  // namespace
 
-ProgressState WorkClock::at(double share) const {
+ProgressState WorkClock::at(double share, std::string_view work) const {
   const double seconds = std::chrono::duration<double>(steady_clock::now() - start_).count();
-  return {share, 0.0, share > 0.0 ? seconds * (1.0 - share) / share : 0.0, ""};
+  return {share, 0.0, share > 0.0 ? seconds * (1.0 - share) / share : 0.0, work};
 }
 
 std::string clock_text(double seconds) {

@@ -17,8 +17,8 @@ struct ProgressState {
 /// Tells the time left from the share of the work that is done. Starts when it is made.
 class WorkClock {
  public:
-  /// The state at `share` in [0, 1], with the rest estimated from the time so far; no rate.
-  ProgressState at(double share) const;
+  /// The state of `work` at `share` in [0, 1], with the rest estimated from the time so far; no rate.
+  ProgressState at(double share, std::string_view work = "") const;
 
  private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

@@ -87,9 +87,7 @@ PackedScene pack_with_progress(LoadingSetup& loading, const RenderPlan& plan, co
   return pack_shape(scene, plan.settings, [&, clock = WorkClock()](double share) {
     loading.images.check_so_far();
     if (interrupted()) throw Error(ErrorKind::failed, no_sample_text(plan, device.name));
-    ProgressState state = clock.at(share);
-    state.work = "BVH";
-    bar.update(state);
+    bar.update(clock.at(share, "BVH"));
   });
 }
 

@@ -118,12 +118,14 @@ class CostTest(ProgramTest):
         self.assertFalse((self.folder / "report/report.html").exists())
 
     def test_interrupt_writes_what_was_measured(self):
-        process = subprocess.Popen([PROGRAM, "cost", SCENE, "-o", "report", *VIEW, "--budget", "40"], cwd=self.folder,
-                                   stderr=subprocess.PIPE, stdout=subprocess.DEVNULL, text=True,
-                                   env={**os.environ, "VERNIER_PIPELINE_CACHE": "none", "VERNIER_REPORT": REPORT})
-        share = 0
-        while share < 75 and (line := process.stderr.readline()):  # until settings have been rendered twice
-            share = int(found[1]) if (found := re.search(r"(\d+) %", line)) else share
+        self.check_done("render", SCENE, "-o", "truth.exr", *VIEW, "--spp", 64)
+        process = subprocess.Popen([PROGRAM, "cost", SCENE, "-o", "report", *VIEW, "--budget", "80", "--reference",
+                                    "truth.exr"], cwd=self.folder, stderr=subprocess.PIPE, stdout=subprocess.DEVNULL,
+                                   text=True, env={**os.environ, "VERNIER_PIPELINE_CACHE": "none",
+                                                   "VERNIER_REPORT": REPORT})
+        # A later round than the first is told once a setting has been rendered twice.
+        while (line := process.stderr.readline()) and not re.match(r"round ([2-9]|1\d) ", line):
+            pass
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate(timeout=120)
         self.assertEqual(process.returncode, FAILED, errors)
