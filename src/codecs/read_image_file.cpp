@@ -1,7 +1,9 @@
+#include <OpenImageIO/filesystem.h>
 #include <OpenImageIO/imageio.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <memory>
 #include <new>
 
@@ -10,6 +12,7 @@
 #include "codecs/jpeg_fault.h"
 #include "codecs/pixel_rows.h"
 #include "error.h"
+#include "image/essential_png.h"
 #include "image/file_metadata.h"
 #include "image/image_codecs.h"
 #include "image/read_image.h"
@@ -49,24 +52,52 @@ void check_spec(const std::string& path, const OIIO::ImageSpec& spec) {
       refuse(path, std::string("channels of type ") + spec.channelformat(channel).c_str() + " are not supported");
 }
 
-std::unique_ptr<OIIO::ImageInput> open_input(const std::string& path, FileFormat format) {
+/// What is left of the PNG file `path` when damage has been looked for: libpng would print a line of its own about it.
+/// Empty where the file does not begin as one does, of which OpenImageIO tells.
+std::vector<std::byte> checked_png(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::string start(kPngSignature.size(), '\0');
+  if (!file.read(start.data(), static_cast<std::streamsize>(start.size())) || start != kPngSignature) return {};
+  const std::streamoff size = file.seekg(0, std::ios::end).tellg();
+  if (size < 0) refuse(path, "the file cannot be read");
+  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
+  file.seekg(0);
+  if (!file.read(reinterpret_cast<char*>(bytes.data()), size)) refuse(path, "the file cannot be read");
+  return essential_png(bytes, path, kMostImageValues, PngText::kept);
+}
+
+/// An image that is being read, and the memory it is read from where it is no file.
+struct OpenImage {
+  std::vector<std::byte> bytes;
+  std::unique_ptr<OIIO::Filesystem::IOMemReader> memory;
+  std::unique_ptr<OIIO::ImageInput> input;
+};
+
+OpenImage open_image(const std::string& path, FileFormat format) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) refuse(path, error ? error.message() : "there is no such file");
   if (std::filesystem::is_directory(status)) refuse(path, "it is a folder");
   if (!std::filesystem::is_regular_file(status)) refuse(path, "not a regular file");  // a pipe would be waited for
-  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(codec_name(format));
+  OpenImage image;
+  if (format == FileFormat::png) image.bytes = checked_png(path);
+  image.input = OIIO::ImageInput::create(codec_name(format));
+  const std::unique_ptr<OIIO::ImageInput>& input = image.input;
   if (!input) refuse(path, OIIO::geterror());
   OIIO::ImageSpec spec;
   OIIO::ImageSpec as_stored;
   as_stored.attribute("oiio:UnassociatedAlpha", 1);
+  if (!image.bytes.empty()) {
+    image.memory = std::make_unique<OIIO::Filesystem::IOMemReader>(image.bytes.data(), image.bytes.size());
+    input->set_ioproxy(image.memory.get());
+  }
   if (!input->open(path, spec, as_stored)) refuse(path, input->geterror());
   check_spec(path, spec);
   if (const std::string fault = input->geterror(); is_cut_jpeg(fault)) refuse(path, fault);
   if (input->seek_subimage(1, 0)) refuse(path, "files of several parts or pages are not supported");
   input->geterror();  // the missing second part is no failure
   if (!input->seek_subimage(0, 0)) refuse(path, input->geterror());
-  return input;
+  return image;
 }
 
 // Attributes that describe how the file is stored or that the writer adds by itself are not what its author said.
@@ -105,12 +136,12 @@ ImageFile image_of_spec(const OIIO::ImageSpec& spec, FileFormat format) {
 
 void read_image_file(const std::string& path, FileFormat format, ImageFile& image) {
   try {
-    const std::unique_ptr<OIIO::ImageInput> input = open_input(path, format);
-    const OIIO::ImageSpec spec = input->spec();
+    const OpenImage opened = open_image(path, format);
+    const OIIO::ImageSpec spec = opened.input->spec();
     image = image_of_spec(spec, format);
     const std::vector<LayerSource> sources = format == FileFormat::exr ? named_layers(spec) : unnamed_layer(spec);
     image.layers = empty_layers(sources, static_cast<std::size_t>(spec.width) * spec.height);
-    read_rows(path, *input, [&](const std::byte* bytes, int row_count) {
+    read_rows(path, *opened.input, [&](const std::byte* bytes, int row_count) {
       append_pixels(image.layers, sources, spec, bytes, static_cast<std::size_t>(row_count) * spec.width);
     });
   } catch (const std::bad_alloc&) {

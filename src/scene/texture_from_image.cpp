@@ -6,9 +6,9 @@
 
 #include "error.h"
 #include "image/codec_module.h"
+#include "image/essential_png.h"
 #include "math/memory_claim.h"
 #include "scene/encoded_format.h"
-#include "scene/essential_png.h"
 #include "scene/texel_codec.h"
 #include "scene/texel_memory.h"
 
@@ -26,7 +26,7 @@ std::shared_ptr<const Texels> decode_texels(std::span<const std::byte> encoded, 
   if (encoded.empty()) refuse(name, "the image is empty");
   const std::string format = encoded_format(encoded, name);
   std::vector<std::byte> png;
-  if (format == "png") encoded = png = essential_png(encoded, name);
+  if (format == "png") encoded = png = essential_png(encoded, name, kMaxTexels);
   auto texels = std::make_shared<Texels>();
   MemoryClaim claim;
   codec<decltype(read_texels)>("read_texels")(

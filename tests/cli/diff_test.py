@@ -54,6 +54,10 @@ class DiffTest(ProgramTest):
     def test_missing_and_broken_images(self):
         a = self.image("a.png", 8, 4, lambda x, y: (0, 0, 0))
         self.check_error(REFUSED, "gone.png", "diff", a, "gone.png")
+        content = bytearray((self.folder / a).read_bytes())
+        content[content.index(b"IDAT") + 8] ^= 0x55
+        (self.folder / "damaged.png").write_bytes(content)
+        self.check_error(REFUSED, "damaged.png: the PNG file is damaged", "diff", a, "damaged.png")
         self.write("broken.exr", "no image")
         self.check_error(REFUSED, "broken.exr", "diff", "broken.exr", a)
 

@@ -1,4 +1,4 @@
-#include "scene/png_pixels.h"
+#include "image/png_pixels.h"
 
 #include <zlib.h>
 

@@ -1,4 +1,4 @@
-#include "scene/essential_png.h"
+#include "image/essential_png.h"
 
 #include <gtest/gtest.h>
 #include <zlib.h>
@@ -40,8 +40,10 @@ std::string deflated(std::size_t row_bytes) {
 const std::string kPixels = chunk("IDAT", deflated(6));  // of header(8, 2)
 const std::string kEnd = chunk("IEND", "");
 
-std::string essential(const std::string& file) {
-  const std::vector<std::byte> bytes = essential_png(std::as_bytes(std::span(file)), "a.png");
+constexpr std::uint64_t kMostPixels = 100;
+
+std::string essential(const std::string& file, PngText text = PngText::dropped) {
+  const std::vector<std::byte> bytes = essential_png(std::as_bytes(std::span(file)), "a.png", kMostPixels, text);
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
@@ -65,6 +67,13 @@ TEST(EssentialPng, LeavesOutWhatPixelsDoNotNeed) {
   EXPECT_EQ(essential(kSignature + header(8, 3) + chunk("iCCP", "sRGB") + palette + alpha + begin +
                       chunk("tEXt", "by") + rest + kEnd + "rubbish"),
             plain);
+}
+
+TEST(EssentialPng, TextsAreKeptWhereTheyAreAskedFor) {
+  const std::string text = chunk("tEXt", "by");
+  const std::string plain = kSignature + header(8, 2) + text + kPixels + text + kEnd;
+  EXPECT_EQ(essential(plain, PngText::kept), plain);
+  EXPECT_EQ(essential(plain), kSignature + header(8, 2) + kPixels + kEnd);
 }
 
 TEST(EssentialPng, AMissingEndIsAdded) {

@@ -1,4 +1,4 @@
-#include "scene/essential_png.h"
+#include "image/essential_png.h"
 
 #include <zlib.h>
 
@@ -7,13 +7,11 @@
 #include <cstdint>
 
 #include "error.h"
-#include "scene/png_pixels.h"
-#include "scene/texture_from_image.h"
+#include "image/png_pixels.h"
 
 namespace vernier {
 namespace {
 
-constexpr std::size_t kSignatureBytes = 8;
 // Length and kind before the content, checksum after it.
 constexpr std::size_t kFrameBytes = 12;
 constexpr std::size_t kHeaderBytes = 13;
@@ -43,7 +41,8 @@ Chunk first_chunk(std::span<const std::byte> rest, const std::string& name) {
   return {std::string(kind, 4), rest.first(length + kFrameBytes), rest.subspan(8, length)};
 }
 
-bool is_essential(const std::string& kind) {
+bool is_essential(const std::string& kind, PngText text) {
+  if (kind == "tEXt") return text == PngText::kept;
   static constexpr std::array<const char*, 5> kKinds = {"IHDR", "PLTE", "tRNS", "IDAT", "IEND"};
   return std::ranges::find(kKinds, kind) != kKinds.end();
 }
@@ -77,9 +76,7 @@ PngLayout checked_layout(const Chunk& chunk, const std::string& name) {
   return {width, height, byte(8), byte(9), byte(12) == 1};
 }
 
-// Of pictures that are too large nothing is inflated: the reader refuses them by their size.
 void check_pixels(const PngLayout& layout, std::span<const std::span<const std::byte>> parts, const std::string& name) {
-  if (std::uint64_t{layout.width} * layout.height > kMaxTexels) return;
   const std::string fault = png_pixel_fault(layout, parts);
   if (!fault.empty()) refuse(name, "the PNG file is damaged in its pixels: " + fault);
 }
@@ -90,31 +87,32 @@ void append(std::vector<std::byte>& file, std::span<const std::byte> bytes) {
 
 }  // namespace
 
-std::vector<std::byte> essential_png(std::span<const std::byte> encoded, const std::string& name) {
+std::vector<std::byte> essential_png(std::span<const std::byte> encoded, const std::string& name,
+                                     std::uint64_t most_pixels, PngText text) {
   std::vector<std::byte> file;
   file.reserve(encoded.size() + kFrameBytes);
-  append(file, encoded.first(kSignatureBytes));
-  std::span<const std::byte> rest = encoded.subspan(kSignatureBytes);
+  append(file, encoded.first(kPngSignature.size()));
+  std::span<const std::byte> rest = encoded.subspan(kPngSignature.size());
   PngLayout layout{};
   std::vector<std::span<const std::byte>> pixels;
   bool has_palette = false, ended = false;
   for (std::size_t number = 0; !rest.empty() && !ended; ++number) {
     const Chunk chunk = first_chunk(rest, name);
     rest = rest.subspan(chunk.framed.size());
-    if (number > 0 && !is_essential(chunk.kind)) continue;
+    if (number > 0 && !is_essential(chunk.kind, text)) continue;
     check_sum(chunk, name);
     if (number == 0) layout = checked_layout(chunk, name);
     has_palette = has_palette || chunk.kind == "PLTE";
     if (chunk.kind == "IDAT") pixels.push_back(chunk.content);
     ended = chunk.kind == "IEND";
-    const bool late = !pixels.empty() && chunk.kind != "IDAT" && !ended;
+    const bool late = !pixels.empty() && chunk.kind != "IDAT" && chunk.kind != "tEXt" && !ended;
     const bool again = number > 0 && chunk.kind == "IHDR";
     if (late || again) refuse(name, "the PNG file is damaged: a chunk " + chunk.kind + " is out of place");
     append(file, chunk.framed);
   }
   if (pixels.empty()) refuse(name, "the PNG file has no pixels");
   if (layout.color == kPaletteColor && !has_palette) refuse(name, "the PNG file has no palette");
-  check_pixels(layout, pixels, name);
+  if (std::uint64_t{layout.width} * layout.height <= most_pixels) check_pixels(layout, pixels, name);
   constexpr std::array<unsigned char, kFrameBytes> kEnd = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xAE, 0x42, 0x60, 0x82};
   if (!ended) append(file, std::as_bytes(std::span(kEnd)));
   return file;
