@@ -75,11 +75,6 @@ int run_render(const RenderPlan& plan) {
 }
 
 void check_checkpoint_output(const RenderPlan& plan) {
-  if (plan.settings.error_target && !(plan.checkpoint.empty() && plan.resume.empty())) {
-    throw Error(ErrorKind::usage,
-                "--error-target: not with --checkpoint or --resume, which hold the samples but not where "
-                "more of them pay");
-  }
   std::error_code failure;
   if (std::filesystem::is_regular_file(plan.checkpoint, failure) && !is_film_file(plan.checkpoint)) {
     throw Error(ErrorKind::usage,

@@ -38,7 +38,7 @@ bool Checkpoint::is_due(std::uint64_t film_bytes) const {
 }
 
 void Checkpoint::save(const Device& device, const Film& film, const TracePosition& position,
-                      const TraceStatistics& statistics) {
+                      const TraceStatistics& statistics, std::vector<PixelError> errors) {
   const Clock::time_point begin = Clock::now();
   write({.recipe = recipe_,
          .area = film.area(),
@@ -47,7 +47,8 @@ void Checkpoint::save(const Device& device, const Film& film, const TracePositio
          .stack_overflows = statistics.stack_overflows,
          .device_ms = statistics.device_ms,
          .wall_ms = statistics.wall_ms,
-         .sums = film.read_sums(device)});
+         .sums = film.read_sums(device),
+         .errors = std::move(errors)});
   last_ = Clock::now();
   last_cost_s_ = std::chrono::duration<double>(last_ - begin).count();
 }

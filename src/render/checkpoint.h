@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "gpu/device.h"
 #include "render/film.h"
@@ -29,8 +30,10 @@ class Checkpoint {
   void save_start(const PixelRect& area, const TracePosition& start);
   /// Whether it is time to save a film of so many bytes.
   bool is_due(std::uint64_t film_bytes) const;
-  /// Saves `film` at `position`; `statistics` say what it took so far. Waits for the device.
-  void save(const Device& device, const Film& film, const TracePosition& position, const TraceStatistics& statistics);
+  /// Saves `film` at `position`; `statistics` say what it took so far, `errors` what is known with an error target.
+  /// Waits for the device.
+  void save(const Device& device, const Film& film, const TracePosition& position, const TraceStatistics& statistics,
+            std::vector<PixelError> errors);
   /// Whether a save has written the file; one that fails later leaves it.
   bool is_saved() const { return saved_; }
 

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <numeric>
 #include <queue>
+#include <utility>
 
 #include "image/difference.h"
 
@@ -49,51 +52,48 @@ double ErrorEstimate::bound() const {
 }
 
 ErrorMap::ErrorMap(int width, int height)
-    : width_(width),
-      height_(height),
-      color_(std::size_t{3} * width * height),
-      samples_(std::size_t{1} * width * height),
-      rays_(samples_.size()),
-      error_(samples_.size()) {}
+    : ErrorMap(width, height, std::vector<PixelError>(std::size_t{1} * width * height)) {}
+
+ErrorMap::ErrorMap(int width, int height, std::vector<PixelError> pixels)
+    : width_(width), height_(height), pixels_(std::move(pixels)) {}
 
 void ErrorMap::update(const DevelopedFilm& film) {
-  for (std::size_t pixel = 0; pixel < samples_.size(); ++pixel) {
-    const std::uint32_t before = samples_[pixel];
-    const std::uint32_t now = film.sample_count[pixel];
-    if (now == before) continue;
-    const float* color = film.color.data() + 4 * pixel;
-    float* old_color = color_.data() + 3 * pixel;
-    const double error = before == 0 ? 0.0 : relative_square_error(old_color, color, before, now);
-    error_[pixel] = std::isfinite(error) ? static_cast<float>(error) : 0.0f;
-    std::copy_n(color, 3, old_color);
-    samples_[pixel] = now;
-    rays_[pixel] = film.cost[3 * pixel];
+  for (std::size_t i = 0; i < pixels_.size(); ++i) {
+    PixelError& pixel = pixels_[i];
+    const std::uint32_t now = film.sample_count[i];
+    if (now == pixel.samples) continue;
+    const float* color = film.color.data() + 4 * i;
+    const double error = pixel.samples == 0 ? 0.0 : relative_square_error(pixel.color, color, pixel.samples, now);
+    pixel.error = std::isfinite(error) ? static_cast<float>(error) : 0.0f;
+    std::copy_n(color, 3, pixel.color);
+    pixel.samples = now;
+    pixel.rays = film.cost[3 * i];
   }
 }
 
 ErrorEstimate ErrorMap::estimate() const {
   double sum = 0.0;
   double squares = 0.0;
-  for (const float error : error_) {
-    sum += error;
-    squares += static_cast<double>(error) * error;
+  for (const PixelError& pixel : pixels_) {
+    sum += pixel.error;
+    squares += static_cast<double>(pixel.error) * pixel.error;
   }
-  return estimate_of(sum, squares, static_cast<double>(error_.size()));
+  return estimate_of(sum, squares, static_cast<double>(pixels_.size()));
 }
 
 std::vector<std::uint32_t> ErrorMap::choose_blocks(double target, std::uint32_t most) const {
-  const auto count = static_cast<std::uint32_t>(block_columns() * ((height_ + kErrorBlock - 1) / kErrorBlock));
+  const std::vector<std::uint32_t> all = all_blocks();
   BlockError total;
   std::priority_queue<Doubling> open;
-  for (std::uint32_t number = 0; number < count; ++number) {
+  for (const std::uint32_t number : all) {
     const BlockError error = block_error(number);
     total.sum += error.sum;
     total.squares += error.squares;
     if (samples(number) < most) open.push({error.sum, error.squares, error.rays, number, samples(number)});
   }
-  std::vector<bool> chosen(count);
+  std::vector<bool> chosen(all.size());
   while (!open.empty() && open.top().sum > 0.0 &&
-         estimate_of(total.sum, total.squares, static_cast<double>(error_.size())).bound() > target) {
+         estimate_of(total.sum, total.squares, static_cast<double>(pixels_.size())).bound() > target) {
     Doubling doubling = open.top();
     open.pop();
     chosen[doubling.block] = true;
@@ -104,9 +104,14 @@ std::vector<std::uint32_t> ErrorMap::choose_blocks(double target, std::uint32_t 
     if (doubling.samples < most) open.push(doubling);
   }
   std::vector<std::uint32_t> blocks;
-  for (std::uint32_t number = 0; number < count; ++number) {
-    if (chosen[number]) blocks.push_back(number);
-  }
+  std::ranges::copy_if(all, std::back_inserter(blocks), [&](std::uint32_t number) { return chosen[number]; });
+  return blocks;
+}
+
+std::vector<std::uint32_t> ErrorMap::all_blocks() const {
+  const int rows = (height_ + kErrorBlock - 1) / kErrorBlock;
+  std::vector<std::uint32_t> blocks(static_cast<std::size_t>(block_columns()) * rows);
+  std::iota(blocks.begin(), blocks.end(), 0u);
   return blocks;
 }
 
@@ -122,7 +127,7 @@ PixelRect ErrorMap::block(std::uint32_t number) const {
 
 std::uint32_t ErrorMap::samples(std::uint32_t block_number) const {
   const PixelRect rect = block(block_number);
-  return samples_[static_cast<std::size_t>(rect.y) * width_ + rect.x];
+  return pixels_[static_cast<std::size_t>(rect.y) * width_ + rect.x].samples;
 }
 
 ErrorMap::BlockError ErrorMap::block_error(std::uint32_t number) const {
@@ -130,10 +135,10 @@ ErrorMap::BlockError ErrorMap::block_error(std::uint32_t number) const {
   const PixelRect rect = block(number);
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     for (int x = rect.x; x < rect.x + rect.width; ++x) {
-      const std::size_t pixel = static_cast<std::size_t>(y) * width_ + x;
-      error.sum += error_[pixel];
-      error.squares += static_cast<double>(error_[pixel]) * error_[pixel];
-      error.rays += static_cast<double>(rays_[pixel]) * samples_[pixel];
+      const PixelError& pixel = pixels_[static_cast<std::size_t>(y) * width_ + x];
+      error.sum += pixel.error;
+      error.squares += static_cast<double>(pixel.error) * pixel.error;
+      error.rays += static_cast<double>(pixel.rays) * pixel.samples;
     }
   }
   return error;

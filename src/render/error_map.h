@@ -12,6 +12,15 @@ namespace vernier {
 /// knows little of any one of them, small enough for an edge.
 constexpr int kErrorBlock = 8;
 
+/// What is known of a pixel's error. Part of film files: no padding.
+struct PixelError {
+  float color[3] = {0.0f, 0.0f, 0.0f};  ///< as of the last update
+  std::uint32_t samples = 0;
+  float rays = 0.0f;   ///< per sample
+  float error = 0.0f;  ///< relMSE of the pixel
+};
+static_assert(sizeof(PixelError) == 24);
+
 /// How wrong each pixel of a film is likely to be, from what its mean did when its samples grew, and where further
 /// samples pay most. Pure.
 ///
@@ -23,6 +32,11 @@ class ErrorMap {
  public:
   /// Of a film of `width` x `height` pixels without samples.
   ErrorMap(int width, int height);
+  /// As it was when `pixels` were taken from it, [height][width].
+  ErrorMap(int width, int height, std::vector<PixelError> pixels);
+
+  /// What is known, [height][width].
+  const std::vector<PixelError>& pixels() const { return pixels_; }
 
   /// Takes the film as it is now. Pixels that have more samples than at the call before are estimated anew; one without
   /// an estimate counts as not known. Pixels with a sample that is not finite count as right: no sample mends them.
@@ -36,6 +50,8 @@ class ErrorMap {
   /// samples; all of these where nothing less will do. In order of their numbers, row by row.
   std::vector<std::uint32_t> choose_blocks(double target, std::uint32_t most) const;
 
+  /// All blocks, in order of their numbers.
+  std::vector<std::uint32_t> all_blocks() const;
   /// Blocks in a row.
   int block_columns() const;
   /// Pixels [x, y, width, height] of a block.
@@ -52,10 +68,7 @@ class ErrorMap {
   BlockError block_error(std::uint32_t number) const;
 
   int width_, height_;
-  std::vector<float> color_;            // [height][width][3], as of the last update
-  std::vector<std::uint32_t> samples_;  // [height][width]
-  std::vector<float> rays_;             // per sample
-  std::vector<float> error_;            // relMSE of the pixel
+  std::vector<PixelError> pixels_;
 };
 
 }  // namespace vernier

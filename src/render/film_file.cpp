@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Begins every file; the last character counts the layouts.
-constexpr std::string_view kMagic = "vernier-film--1\n";
+constexpr std::string_view kMagic = "vernier-film--2\n";
 constexpr std::int32_t kLargestSide = 65536;  // of an image, as --size has it
 
 /// What stands before the recipe's text and the sums. No padding: every byte counts.
@@ -34,22 +34,26 @@ struct FileHeader {
   std::uint64_t checksum;  // of everything behind it
   std::uint64_t recipe_bytes;
   std::uint64_t sum_words;
+  std::uint64_t error_count;
   std::int32_t x, y, width, height;
   std::int32_t tile_width, tile_height;
   std::uint32_t pass_begin, tiles_done;
   std::uint64_t primary, shadow, reflection, refraction, stack_overflows;
   double device_ms, wall_ms;
 };
-static_assert(sizeof(FileHeader) == 128 && kMagic.size() == 16);
+static_assert(sizeof(FileHeader) == 136 && kMagic.size() == 16);
 constexpr std::size_t kUncheckedBytes = offsetof(FileHeader, recipe_bytes);
 
 [[noreturn]] void refuse(const std::string& path, const std::string& reason) {
   throw Error(ErrorKind::refused, path + ": " + reason);
 }
 
-std::uint64_t checksum_of(const FileHeader& header, const std::string& recipe, std::span<const std::uint32_t> sums) {
-  const std::uint64_t begun = checksum(std::as_bytes(std::span(&header, 1)).subspan(kUncheckedBytes));
-  return checksum(std::as_bytes(sums), checksum(std::as_bytes(std::span(recipe)), begun));
+/// `recipe` is the text of the film's.
+std::uint64_t checksum_of(const FileHeader& header, const std::string& recipe, const SavedFilm& film) {
+  std::uint64_t sum = checksum(std::as_bytes(std::span(&header, 1)).subspan(kUncheckedBytes));
+  sum = checksum(std::as_bytes(std::span(recipe)), sum);
+  sum = checksum(std::as_bytes(std::span(film.sums)), sum);
+  return checksum(std::as_bytes(std::span(film.errors)), sum);
 }
 
 FileHeader header_of(const SavedFilm& film, const std::string& recipe) {
@@ -57,6 +61,7 @@ FileHeader header_of(const SavedFilm& film, const std::string& recipe) {
   std::memcpy(header.magic.data(), kMagic.data(), kMagic.size());
   header.recipe_bytes = recipe.size();
   header.sum_words = film.sums.size();
+  header.error_count = film.errors.size();
   header.x = film.area.x;
   header.y = film.area.y;
   header.width = film.area.width;
@@ -72,7 +77,7 @@ FileHeader header_of(const SavedFilm& film, const std::string& recipe) {
   header.stack_overflows = film.stack_overflows;
   header.device_ms = film.device_ms;
   header.wall_ms = film.wall_ms;
-  header.checksum = checksum_of(header, recipe, film.sums);
+  header.checksum = checksum_of(header, recipe, film);
   return header;
 }
 
@@ -84,7 +89,8 @@ SavedFilm film_of(const FileHeader& header) {
           .stack_overflows = header.stack_overflows,
           .device_ms = header.device_ms,
           .wall_ms = header.wall_ms,
-          .sums = {}};
+          .sums = {},
+          .errors = {}};
 }
 
 /// Refuses a header whose sizes do not add up to the file's, before any of them is believed.
@@ -97,10 +103,11 @@ void check_header(const std::string& path, const FileHeader& header, std::uint64
   const bool sound = is_side(header.width) && is_side(header.height) && is_side(header.tile_width) &&
                      is_side(header.tile_height) && header.x >= 0 && header.y >= 0 && header.recipe_bytes <= rest;
   if (!sound) refuse(path, "is damaged");
-  const std::uint64_t words =
-      std::uint64_t{FILM_WORDS} * static_cast<std::uint64_t>(header.width) * static_cast<std::uint64_t>(header.height);
-  if (header.sum_words != 0 && header.sum_words != words) refuse(path, "is damaged");
-  const std::uint64_t expected = header.recipe_bytes + 4 * header.sum_words;
+  const std::uint64_t pixels = static_cast<std::uint64_t>(header.width) * static_cast<std::uint64_t>(header.height);
+  if (header.sum_words != 0 && header.sum_words != FILM_WORDS * pixels) refuse(path, "is damaged");
+  if (header.error_count != 0 && header.error_count != pixels) refuse(path, "is damaged");
+  const std::uint64_t expected =
+      header.recipe_bytes + sizeof(std::uint32_t) * header.sum_words + sizeof(PixelError) * header.error_count;
   if (rest < expected) refuse(path, "is cut short");
   if (rest > expected) refuse(path, "is damaged");
 }
@@ -142,6 +149,7 @@ void write_film_file(const std::string& path, const SavedFilm& film) {
     put(file.get(), path, std::as_bytes(std::span(&header, 1)));
     put(file.get(), path, std::as_bytes(std::span(recipe)));
     put(file.get(), path, std::as_bytes(std::span(film.sums)));
+    put(file.get(), path, std::as_bytes(std::span(film.errors)));
     // On the disk before the rename: else a power failure could leave the new name with nothing behind it.
     if (std::fflush(file.get()) != 0 || ::fsync(::fileno(file.get())) != 0) {
       throw Error(ErrorKind::failed, path + ": cannot write: " + reason_of_errno());
@@ -163,9 +171,11 @@ SavedFilm read_film_file(const std::string& path) {
   SavedFilm film = film_of(header);
   std::string recipe(header.recipe_bytes, '\0');
   film.sums.resize(header.sum_words);
+  film.errors.resize(header.error_count);
   read_values(stream, path, std::span(recipe));
   read_values(stream, path, std::span(film.sums));
-  if (checksum_of(header, recipe, film.sums) != header.checksum) refuse(path, "is damaged");
+  read_values(stream, path, std::span(film.errors));
+  if (checksum_of(header, recipe, film) != header.checksum) refuse(path, "is damaged");
   film.recipe = metadata_of_text(recipe);
   return film;
 }

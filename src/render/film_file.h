@@ -6,13 +6,15 @@
 #include <string>
 #include <vector>
 
+#include "render/error_map.h"
 #include "render/render_settings.h"
 #include "render/render_statistics.h"
 
 namespace vernier {
 
 /// Where a trace stands: every pixel has the samples before `pass_begin`, and the pass that begins there is done in the
-/// first `tiles_done` tiles of schedule_tiles.
+/// first `tiles_done` tiles of schedule_tiles. With an error target these are an AdaptivePosition's round and
+/// passes_done.
 struct TracePosition {
   glm::ivec2 tile = glm::ivec2(0);  ///< pixels; the passes and the order of the tiles follow from it
   std::uint32_t pass_begin = 0;
@@ -29,6 +31,7 @@ struct SavedFilm {
   double device_ms = 0.0;
   double wall_ms = 0.0;
   std::vector<std::uint32_t> sums;  ///< [area.height][area.width][FILM_WORDS]; empty: no sample yet
+  std::vector<PixelError> errors;   ///< [area.height][area.width], with an error target; empty: no round yet
 };
 
 /// Writes `film` as the file `path`, whole or not at all (write_whole), and on the disk when this returns. Throws

@@ -48,20 +48,20 @@ class TraceRun {
             schedule_passes(settings.sample_begin, settings.sample_end, settings.first_pass, tracer.most_samples())),
         position_(position) {
     check_position();
+    if (settings_.error_target) adaptive_ = adaptive_position();
     share_before_ = share();
   }
 
   /// Traces what is left, and saves it now and then, and where it is stopped.
   void trace() {
-    if (settings_.error_target) {
-      const auto stop = [this] { return stopped_ = is_stopped(); };
-      error_ = trace_to_target(device_, tracer_, film_, settings_, stop, [this](double share) { tell(share); });
-      return;
-    }
     Checkpoint* checkpoint = callbacks_.checkpoint;
     if (checkpoint && !callbacks_.resumed) checkpoint->save_start(film_.area(), position_);
-    stopped_ = !trace_passes();
-    if (checkpoint && stopped_) checkpoint->save(device_, film_, position_, statistics());
+    if (adaptive_) {
+      trace_adaptively();
+    } else {
+      stopped_ = !trace_passes();
+    }
+    if (checkpoint && stopped_) save();
   }
 
   const TracePosition& position() const { return position_; }
@@ -69,7 +69,7 @@ class TraceRun {
   TraceStatistics statistics() const {
     TraceStatistics statistics = tracer_.statistics();
     statistics.wall_ms = seconds() * 1000.0;
-    statistics.error = error_;
+    if (adaptive_) statistics.error = estimate_at(*adaptive_);
     statistics.stopped = stopped_;
     if (!statistics.effect_runs.by_depth.empty()) statistics.effect_runs.by_depth[0].path = statistics.rays.primary;
     if (callbacks_.resumed) add_before(*callbacks_.resumed, statistics);
@@ -81,9 +81,10 @@ class TraceRun {
 
   /// Refuses a saved position that is none of this schedule: one of other limits of the device.
   void check_position() const {
-    const bool begins_pass =
-        std::ranges::any_of(passes_, [&](const SamplePass& pass) { return pass.begin == position_.pass_begin; });
-    if (position_.tile == tracer_.tile() && begins_pass && position_.tiles_done <= tiles_.size()) return;
+    const auto begins_here = [&](const SamplePass& pass) { return pass.begin == position_.pass_begin; };
+    const bool is_scheduled =
+        settings_.error_target || (std::ranges::any_of(passes_, begins_here) && position_.tiles_done <= tiles_.size());
+    if (position_.tile == tracer_.tile() && is_scheduled) return;
     throw Error(ErrorKind::refused, "--resume: the checkpoint stands in another order of tiles and samples");
   }
 
@@ -96,6 +97,22 @@ class TraceRun {
     callbacks_.progress(progress_at(share, share - share_before_, tracer_.statistics().rays, seconds()));
   }
 
+  AdaptivePosition adaptive_position() const {
+    const PixelRect& area = film_.area();
+    const bool has_errors = callbacks_.resumed && !callbacks_.resumed->errors.empty();
+    return {
+        has_errors ? ErrorMap(area.width, area.height, callbacks_.resumed->errors) : ErrorMap(area.width, area.height),
+        position_.pass_begin, position_.tiles_done};
+  }
+
+  void trace_adaptively() {
+    AdaptiveCallbacks callbacks;
+    callbacks.stop = [this] { return stopped_ = is_stopped(); };
+    callbacks.progress = [this](double share) { tell(share); };
+    callbacks.after_pass = [this] { save_if_due(); };
+    trace_to_target(device_, tracer_, film_, settings_, *adaptive_, callbacks);
+  }
+
   /// False when it was stopped.
   bool trace_passes() {
     const auto stop = [this] { return is_stopped(); };
@@ -105,22 +122,26 @@ class TraceRun {
       while (position_.tiles_done < tiles_.size()) {
         if (!tracer_.run_tile(tiles_[position_.tiles_done], pass, stop)) return false;
         ++position_.tiles_done;
-        after_tile();
+        tell(share());
+        save_if_due();
       }
     }
     return true;
   }
 
-  void after_tile() {
-    tell(share());
-    Checkpoint* checkpoint = callbacks_.checkpoint;
-    if (checkpoint && checkpoint->is_due(film_.size_bytes())) {
-      checkpoint->save(device_, film_, position_, statistics());
-    }
+  void save_if_due() {
+    if (callbacks_.checkpoint && callbacks_.checkpoint->is_due(film_.size_bytes())) save();
   }
 
-  /// Share of the samples that are done.
+  void save() {
+    if (adaptive_) position_ = {position_.tile, adaptive_->round, adaptive_->passes_done};
+    callbacks_.checkpoint->save(device_, film_, position_, statistics(),
+                                adaptive_ ? adaptive_->errors.pixels() : std::vector<PixelError>());
+  }
+
+  /// Share of the work that is done.
   double share() const {
+    if (adaptive_) return share_at(*adaptive_, *settings_.error_target);
     const auto pass = std::ranges::find(passes_, position_.pass_begin, &SamplePass::begin);
     const double pass_share =
         pass->length() * static_cast<double>(position_.tiles_done) / static_cast<double>(tiles_.size());
@@ -136,7 +157,7 @@ class TraceRun {
   std::vector<SamplePass> passes_;
   TracePosition position_;
   double share_before_ = 0.0;
-  std::optional<ErrorEstimate> error_;
+  std::optional<AdaptivePosition> adaptive_;  ///< with an error target
   bool stopped_ = false;
   Clock::time_point start_ = Clock::now();
 };

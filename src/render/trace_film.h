@@ -27,9 +27,9 @@ class FilmTracer {
   /// (trace_to_target), in dispatches of about settings.dispatch_ms. Stops between dispatches when cancelled or past
   /// the time limit. What it took adds up over all traces, but for wall_ms, which is this one's. With
   /// callbacks.resumed, whose sums are in the film, it goes on from there and counts what that had cost;
-  /// callbacks.checkpoint saves now and then, and when stopped; neither goes with an error target. Throws
-  /// Error(device_lost), Error(failed) when a single ray takes more steps than the driver lets a shader take, and
-  /// Error(refused) for a resumed film of another schedule.
+  /// callbacks.checkpoint saves now and then, and when stopped. Throws Error(device_lost), Error(failed) when a single
+  /// ray takes more steps than the driver lets a shader take, and Error(refused) for a resumed film of another
+  /// schedule.
   TraceStatistics trace(const RenderCallbacks& callbacks);
   /// The same for the samples of `settings` in the pixels `area` at the upper left of the film; the device has been
   /// told of settings of that size. Without an error target.

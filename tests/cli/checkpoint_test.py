@@ -7,39 +7,46 @@ import subprocess
 import time
 import unittest
 
-from program import DONE, FAILED, PROGRAM, REFUSED, SCENE, USAGE, ProgramTest
+from program import DONE, FAILED, PROGRAM, REFUSED, SCENE, SCENES, USAGE, ProgramTest
 
 # Twelve tiles, five passes, a checkpoint after each tile.
 RENDER = ["render", SCENE, "--size", "96x64", "--spp", "37", "--tile", "24x24", "--aov", "depth,cost,sample_count", "--quiet"]
+# Five rounds, the later ones over some of the blocks.
+TO_TARGET = ["render", str(SCENES / "materials.glb"), "--size", "96x64", "--error-target", "0.015", "--tile", "24x24",
+             "--aov", "depth,cost,sample_count", "--quiet"]
 OFTEN = ["--checkpoint", "c.film", "--checkpoint-seconds", "0"]
 RESUME = ["--checkpoint", "c.film", "--resume", "c.film"]
 
 
-class CheckpointTest(ProgramTest):
-    known = None
+class StoppedRender(ProgramTest):
+    """What the tests of a render and of one to a target have in common."""
+
+    command = RENDER
+    known = {}
 
     @property
     def whole(self):
         """The bytes of the render that nothing stopped, made once."""
-        if CheckpointTest.known is None:
-            self.check_done(*RENDER, "-o", "whole.exr")
-            CheckpointTest.known = (self.folder / "whole.exr").read_bytes()
-        return CheckpointTest.known
+        kind = type(self).__name__
+        if kind not in self.known:
+            self.check_done(*self.command, "-o", "whole.exr")
+            self.known[kind] = (self.folder / "whole.exr").read_bytes()
+        return self.known[kind]
 
     def start(self, *arguments):
         return subprocess.Popen([PROGRAM, *arguments], cwd=self.folder, stderr=subprocess.PIPE, text=True,
                                 env={**os.environ, "VERNIER_PIPELINE_CACHE": "none"})
 
     def position(self):
-        """Pass and tiles at which the checkpoint stands; None before there is one."""
+        """Pass and tiles at which the checkpoint stands, or round and passes; None before there is one."""
         try:
-            return struct.unpack_from("<2I", (self.folder / "c.film").read_bytes(), 64)
+            return struct.unpack_from("<2I", (self.folder / "c.film").read_bytes(), 72)
         except FileNotFoundError:
             return None
 
     def stop_at(self, position, stop, *options):
         """Starts the render, sends it `stop` once its checkpoint stands there, and returns its exit code and stderr."""
-        process = self.start(*RENDER, "-o", "out.exr", *OFTEN, *options)
+        process = self.start(*self.command, "-o", "out.exr", *OFTEN, *options)
         deadline = time.monotonic() + 240
         while (self.position() or (-1, 0)) < position and process.poll() is None and time.monotonic() < deadline:
             time.sleep(0.0005)
@@ -48,11 +55,11 @@ class CheckpointTest(ProgramTest):
         return process.returncode, errors
 
     def check_whole(self, *arguments):
-        self.check_done(*RENDER, "-o", "out.exr", *arguments)
+        self.check_done(*self.command, "-o", "out.exr", *arguments)
         self.assertEqual((self.folder / "out.exr").read_bytes(), self.whole)
 
-    def test_killed_at_several_moments(self):
-        for position in [(0, 0), (0, 1), (0, 12), (1, 5), (5, 2)]:
+    def check_kills(self, positions):
+        for position in positions:
             with self.subTest(position):
                 (self.folder / "c.film").unlink(missing_ok=True)
                 code, errors = self.stop_at(position, signal.SIGKILL)
@@ -60,6 +67,27 @@ class CheckpointTest(ProgramTest):
                 self.assertFalse((self.folder / "out.exr").exists())
                 self.check_whole("--resume", "c.film")
                 (self.folder / "out.exr").unlink()
+
+
+class CheckpointToTargetTest(StoppedRender):
+    command = TO_TARGET
+
+    def test_killed_at_several_moments(self):
+        self.check_kills([(0, 0), (0, 3), (1, 0), (1, 12), (2, 1), (3, 0), (4, 1)])
+
+    def test_interrupt_says_how_to_go_on(self):
+        code, errors = self.stop_at((2, 1), signal.SIGINT)
+        self.assertEqual(code, FAILED, errors)
+        self.assertIn("go on by: vernier render ", errors)
+        self.assertIn(" --error-target 0.015 ", errors)
+        self.check_whole(*RESUME)
+        self.check_error(REFUSED, "c.film: does not belong to this render: --error-target is `0.015`, there `0.01`",
+                         *[argument.replace("0.015", "0.01") for argument in self.command], "-o", "x.exr", "--resume", "c.film")
+
+
+class CheckpointTest(StoppedRender):
+    def test_killed_at_several_moments(self):
+        self.check_kills([(0, 0), (0, 1), (0, 12), (1, 5), (5, 2)])
 
     def test_killed_at_any_moment_and_begun_again_by_the_same_command(self):
         kills = 0
@@ -127,7 +155,7 @@ class CheckpointTest(ProgramTest):
 
     def test_broken_and_missing_checkpoints_are_refused(self):
         self.check_error(REFUSED, "no.film: there is no such file", *RENDER, "-o", "x.exr", "--resume", "no.film")
-        self.write("bad.film", "vernier-film--1\n")
+        self.write("bad.film", "vernier-film--2\n")
         self.check_error(REFUSED, "bad.film: is cut short", *RENDER, "-o", "x.exr", "--resume", "bad.film")
 
     def test_an_older_checkpoint_stays_until_something_is_done(self):

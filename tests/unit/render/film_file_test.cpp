@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <filesystem>
 #include <fstream>
 
@@ -22,8 +23,13 @@ SavedFilm some_film() {
                  .stack_overflows = 16,
                  .device_ms = 17.5,
                  .wall_ms = 18.5,
-                 .sums = {}};
+                 .sums = {},
+                 .errors = {}};
   for (std::uint32_t word = 0; word < 3 * 2 * FILM_WORDS; ++word) film.sums.push_back(word * 2654435761u);
+  for (std::uint32_t pixel = 0; pixel < 3 * 2; ++pixel) {
+    const float value = static_cast<float>(pixel);
+    film.errors.push_back({{value, value + 0.25f, value + 0.5f}, pixel, value * 3.0f, value * 7.0f});
+  }
   return film;
 }
 
@@ -53,6 +59,8 @@ TEST(FilmFile, GivesBackEveryField) {
   EXPECT_EQ(read.device_ms, 17.5);
   EXPECT_EQ(read.wall_ms, 18.5);
   EXPECT_EQ(read.sums, film.sums);
+  ASSERT_EQ(read.errors.size(), film.errors.size());
+  EXPECT_EQ(std::memcmp(read.errors.data(), film.errors.data(), film.errors.size() * sizeof(PixelError)), 0);
   EXPECT_EQ(folder.entry_count(), 1) << "no partial files";
 }
 
@@ -60,6 +68,7 @@ TEST(FilmFile, AFilmWithoutSamplesNeedsNoSums) {
   const TemporaryFolder folder;
   SavedFilm film = some_film();
   film.sums.clear();
+  film.errors.clear();
   write_film_file(folder.file("a.film"), film);
   EXPECT_TRUE(read_film_file(folder.file("a.film")).sums.empty());
 }
@@ -109,12 +118,12 @@ TEST(FilmFile, AbsurdSizesTakeNoMemory) {
     EXPECT_THROW(read_film_file(path), Error) << "at byte " << place;
   };
   const std::string largest(8, '\xff'), high("\0\0\0\0\0\0\0\x20", 8), side("\0\0\1\0", 4), negative("\0\0\0\x80", 4);
-  for (const std::size_t field : {24u, 32u}) {  // bytes of the recipe, words of the sums
+  for (const std::size_t field : {24u, 32u, 40u}) {  // bytes of the recipe, words of the sums, pixels with errors
     expect_refused(field, largest);
     expect_refused(field, high);
   }
-  expect_refused(48, side + side);  // width and height
-  for (std::size_t field = 40; field < 64; field += 4) expect_refused(field, negative);
+  expect_refused(56, side + side);  // width and height
+  for (std::size_t field = 48; field < 72; field += 4) expect_refused(field, negative);
 }
 
 TEST(FilmFile, WhatIsNoFilmIsRefusedByName) {
@@ -133,6 +142,7 @@ TEST(FilmFile, AFullDiskKeepsTheFileThatWasThere) {
   SavedFilm large = some_film();
   large.area = {0, 0, 64, 64};
   large.sums.assign(64 * 64 * FILM_WORDS, 7);
+  large.errors.clear();
   {
     const FileSizeLimit limit(4096);
     expect_error(ErrorKind::failed, path + ": cannot write: ", [&] { write_film_file(path, large); });
