@@ -82,6 +82,31 @@ Fresnel fresnel_dielectric(IN(float) cosine, IN(float) eta) {
   return Fresnel(min(0.5f * (r_s * r_s + r_p * r_p), 1.0f), min(transmitted, 1.0f), g);
 }
 
+// Reflectance at normal incidence of a dielectric: ((ior - 1) / (ior + 1))^2.
+float dielectric_f0(IN(float) ior) {
+  float r = (ior - 1.0f) / (ior + 1.0f);
+  return r * r;
+}
+
+// Whether nothing goes through.
+bool is_total(IN(Fresnel) fresnel) { return fresnel.reflected >= 1.0f && fresnel.transmitted == 0.0f; }
+
+// What Fresnel's terms let through at normal incidence, to divide by: above 0 where the index is beyond all floats, too.
+float passed_at_normal(IN(float) ior) { return max(1.0f - dielectric_f0(ior), 5.9604644775390625e-8f); }
+
+// A reflectance that is `normal` at normal incidence and `grazing` at grazing, between them as Fresnel's terms of index `ior` run;
+// 1 where these reflect all.
+vec3 boundary_reflectance(IN(Fresnel) fresnel, IN(float) ior, IN(vec3) normal, IN(vec3) grazing) {
+  float share = (fresnel.reflected - dielectric_f0(ior)) / passed_at_normal(ior);
+  return is_total(fresnel) ? vec3(1.0f) : max(normal + (grazing - normal) * share, vec3(0.0f));
+}
+
+// The rest to 1 of the same for one component, without cancellation where it is small.
+float boundary_transmittance(IN(Fresnel) fresnel, IN(float) ior, IN(float) normal, IN(float) grazing) {
+  float share = fresnel.transmitted / passed_at_normal(ior);
+  return is_total(fresnel) ? 0.0f : clamp((1.0f - grazing) + (grazing - normal) * share, 0.0f, 1.0f);
+}
+
 // Schlick's weight of grazing incidence, (1 - cosine)^5 (Schlick 1994, "An Inexpensive BRDF Model", eq. 15).
 float schlick_weight(IN(float) cosine) {
   float m = clamp(1.0f - cosine, 0.0f, 1.0f);

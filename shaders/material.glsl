@@ -75,4 +75,9 @@ bool has_flag(IN(DeviceMaterial) material, IN(uint) flag) { return (material.fla
 
 bool is_transmissive(IN(DeviceMaterial) material) { return max3(material.transmission) > 0.0f; }
 
+// Whether it reflects and transmits the same at every angle.
+bool is_fresnel_free(IN(DeviceMaterial) material) {
+  return workflow_of(material) == WORKFLOW_BLINN && !has_flag(material, MATERIAL_FRESNEL_REFLECTION);
+}
+
 #endif

@@ -41,13 +41,13 @@ bool is_ray(IN(PathRay) ray) { return max3(ray.weight) > 0.0f; }
 
 // Weights of the reflected and the refracted ray at a transmissive surface.
 void split_weights(IN(DeviceMaterial) material, IN(ShadingTerms) terms, IN(Fresnel) fresnel, OUT(vec3) reflected, OUT(vec3) refracted) {
-  bool total = fresnel.reflected >= 1.0f && fresnel.transmitted == 0.0f;
-  if (workflow_of(material) == WORKFLOW_BLINN && !has_flag(material, MATERIAL_FRESNEL_REFLECTION)) {
+  bool total = is_total(fresnel);
+  if (is_fresnel_free(material)) {
     reflected = total ? vec3(1.0f) : terms.mirror;
     refracted = total ? vec3(0.0f) : terms.transmission * (vec3(1.0f) - terms.mirror);
   } else {
-    reflected = terms.reflection_tint * fresnel.reflected;
-    refracted = terms.transmission * fresnel.transmitted;
+    reflected = boundary_reflectance(fresnel, material.ior, terms.mirror, terms.mirror_grazing);
+    refracted = terms.transmission * boundary_transmittance(fresnel, material.ior, terms.boundary_normal, terms.boundary_grazing);
   }
   if (total && mutated(MUTATION_TOTAL_LOST)) reflected = vec3(0.0f);
 }

@@ -18,9 +18,9 @@ struct HitSurface {
 vec3 surface_transmittance(IN(HitSurface) surface, IN(float) cosine) {
   vec3 through = vec3(0.0f);
   if (is_transmissive(surface.material)) {
-    bool fresnel_free = workflow_of(surface.material) == WORKFLOW_BLINN && !has_flag(surface.material, MATERIAL_FRESNEL_REFLECTION);
-    through = surface.terms.transmission;
-    through *= fresnel_free ? 1.0f : fresnel_dielectric(cosine, surface.material.ior).transmitted;
+    float ior = surface.material.ior;
+    float passed = boundary_transmittance(fresnel_dielectric(cosine, ior), ior, surface.terms.boundary_normal, surface.terms.boundary_grazing);
+    through = surface.terms.transmission * (is_fresnel_free(surface.material) ? 1.0f : passed);
   }
   return vec3(1.0f - surface.alpha) + through * surface.alpha;
 }

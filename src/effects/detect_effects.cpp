@@ -147,7 +147,8 @@ void detect_surface(EffectSet& effects, const SeenMaterial& seen) {
   if (seen.usage.vertex_normals) {
     switch_on(effects, EFFECT_SMOOTH_NORMALS, seen.label + " lies on triangles with vertex normals");
   }
-  if (seen.usage.vertex_colors && (terms.base || terms.cut_out || terms.see_through)) {
+  const bool ambient_is_tinted = terms.ambient && seen.material.workflow == Workflow::blinn;
+  if (seen.usage.vertex_colors && (terms.base || ambient_is_tinted || terms.cut_out || terms.see_through)) {
     switch_on(effects, EFFECT_VERTEX_COLORS, seen.label + " lies on triangles with vertex colours");
   }
   if (terms.emission) {

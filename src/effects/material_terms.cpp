@@ -50,7 +50,7 @@ PhysicalTerms metallic_roughness_terms(const Material& material, bool base, bool
   terms.f0 = (dielectric && strength && material.ior != 1.0f && differs(material.specular, 0.0f)) || (metal && base);
   terms.f90 = (dielectric && strength) || metal;
   terms.gloss = material.roughness != 1.0f || surface;
-  terms.gloss_below_1 = material.roughness != 0.0f;
+  terms.gloss_below_1 = material.roughness != 0.0f && (metal || not_only_transmissive);
   terms.diffuse = base && dielectric && not_only_transmissive;
   terms.transmission = base && dielectric && transmissive;
   terms.always_transmissive = terms.transmission && transmissive_everywhere(material, vertex_colors);
@@ -77,7 +77,7 @@ void add_physical(MaterialTerms& terms, const PhysicalTerms& physical, const Mat
   terms.specular = physical.f0;
   terms.ambient = physical.diffuse || (physical.f0 && physical.gloss_below_1);
   const bool opaque_mirror = physical.gloss && (physical.f0 || physical.f90) && !physical.always_transmissive;
-  terms.mirror = opaque_mirror || (physical.transmission && has_boundary(material));
+  terms.mirror = opaque_mirror || (physical.transmission && (physical.f0 || has_boundary(material)));
   terms.transmission = physical.transmission;
 }
 

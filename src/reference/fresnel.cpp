@@ -24,6 +24,16 @@ double fresnel_reflectance(double cosine, double eta) {
   return 0.5 * (perpendicular * perpendicular + parallel * parallel);
 }
 
+double reflectance_at_normal(double ior) {
+  const double root = (ior - 1.0) / (ior + 1.0);
+  return root * root;
+}
+
+double grazing_share(double reflectance, double ior) {
+  const double normal = reflectance_at_normal(ior);
+  return normal < 1.0 ? (reflectance - normal) / (1.0 - normal) : 1.0;
+}
+
 glm::dvec3 refracted_direction(const glm::dvec3& view, const glm::dvec3& normal, double eta) {
   const double cosine = glm::dot(normal, view);
   const double behind = std::sqrt(std::max(0.0, 1.0 - squared_sine_behind(cosine, eta)));

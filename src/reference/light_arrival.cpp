@@ -38,7 +38,8 @@ Passage passage(const Scene& scene, const Triangle& triangle, const glm::dvec3& 
   const SurfaceTerms terms = surface_terms(scene, triangle, weights);
   if (terms.transmission == glm::dvec3(0.0)) return {glm::dvec3(1.0 - alpha), false};
   const double cosine = std::abs(glm::dot(triangle.normal, direction));
-  const double through = terms.plain_mirror ? 1.0 : 1.0 - fresnel_reflectance(cosine, material.ior);
+  const double through =
+      terms.plain_mirror ? 1.0 : passed_share(terms, fresnel_reflectance(cosine, material.ior), material.ior);
   return {1.0 - alpha + alpha * terms.transmission * through, !material.thin_walled};
 }
 

@@ -86,9 +86,12 @@ Split split(const SurfaceTerms& terms, double cosine, double eta) {
     return {terms.mirror_normal + (terms.mirror_grazing - terms.mirror_normal) * grazing, glm::dvec3(0.0)};
   }
   const double reflectance = fresnel_reflectance(cosine, eta);
-  if (!terms.plain_mirror)
-    return {terms.dielectric_mirror_tint * reflectance, terms.transmission * (1.0 - reflectance)};
   if (reflectance == 1.0) return {glm::dvec3(1.0), glm::dvec3(0.0)};
+  if (!terms.plain_mirror) {
+    const double share = grazing_share(reflectance, eta);
+    return {glm::max(glm::mix(terms.mirror_normal, terms.mirror_grazing, share), glm::dvec3(0.0)),
+            terms.transmission * passed_share(terms, reflectance, eta)};
+  }
   return {terms.mirror_normal, terms.transmission * (1.0 - terms.mirror_normal)};
 }
 

@@ -80,5 +80,99 @@ TEST_F(Furnace, ClearCubeVanishesInAWhiteWorld) {
   }
 }
 
+// What a surface does not mirror it shows diffusely or lets through, whatever its metal, roughness and transmission.
+TEST_F(Furnace, NoWhiteSheetIsSeenInAWhiteWorld) {
+  scene_.environment.sky = scene_.environment.ground = scene_.environment.ambient = glm::vec3(1.0f);
+  scene_.environment.has_ambient_override = true;
+  look_from({0, 0, 3}, 0.02);  // straight on: at grazing incidence more is mirrored than diffuse light is told of
+  RenderSettings settings;
+  settings.width = settings.height = 3;
+  settings.cutoff = 0.0f;
+  add_rectangle(scene_, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, Material{});
+  for (const float metallic : {0.0f, 0.5f, 1.0f}) {
+    for (const float transmission : {0.0f, 0.25f, 1.0f}) {
+      for (const float roughness : {0.0f, 0.5f, 1.0f}) {
+        for (const float strength : {0.0f, 1.0f}) {
+          Material& material = scene_.materials.back();
+          material.base_color = glm::vec4(1.0f);
+          material.metallic = metallic;
+          material.roughness = roughness;
+          material.transmission = glm::vec3(transmission);
+          material.specular_strength = strength;
+          material.thin_walled = true;
+          // A dozen roundings of 1.
+          EXPECT_NEAR(render(settings).at(0), 1.0, 12 * 0x1p-24)
+              << metallic << " metal, " << transmission << " clear, " << roughness << " rough, " << strength;
+        }
+      }
+    }
+  }
+}
+
+/// A thin sheet of KHR_materials_transmission seen straight on, before what it lets through and opposite what it
+/// mirrors.
+class Sheet : public AnalyticScene {
+ protected:
+  /// The colours of the sheet where all that is white is `behind` it, or in front.
+  glm::vec3 color(const Material& material, bool behind) {
+    scene_ = Scene();
+    Material wall;
+    wall.unlit = true;
+    wall.base_color = glm::vec4(glm::vec3(behind ? 1.0f : 0.0f), 1.0f);
+    add_rectangle(scene_, {-9, -9, -1}, {18, 0, 0}, {0, 18, 0}, wall);
+    add_rectangle(scene_, {-1, -1, 0}, {2, 0, 0}, {0, 2, 0}, material);
+    scene_.environment.sky = scene_.environment.ground = glm::vec3(behind ? 0.0f : 1.0f);
+    scene_.environment.has_ambient_override = true;
+    look_from({0, 0, 3}, 0.02);
+    RenderSettings settings;
+    settings.width = settings.height = 1;
+    settings.cutoff = 0.0f;
+    const std::vector<float> colors = render(settings);
+    return {colors[0], colors[1], colors[2]};
+  }
+
+  void expect_colors(const Material& material, const glm::vec3& mirrored, const glm::vec3& through) {
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_NEAR(color(material, false)[i], mirrored[i], 12 * 0x1p-24) << i;  // a dozen roundings of 1
+      EXPECT_NEAR(color(material, true)[i], through[i], 12 * 0x1p-24) << i;
+    }
+  }
+
+  static Material sheet() {
+    Material material;
+    material.base_color = glm::vec4(1.0f);
+    material.metallic = 0.0f;
+    material.roughness = 0.0f;
+    material.transmission = glm::vec3(1.0f);
+    material.thin_walled = true;
+    return material;
+  }
+};
+
+// "The ratio of transmission and reflection computed from the Fresnel term also depends on dielectric_f0 and
+// dielectric_f90": KHR_materials_specular, Interaction with other extensions.
+TEST_F(Sheet, MirrorsAndTransmitsBySpecularToo) {
+  Material material = sheet();
+  expect_colors(material, glm::vec3(0.04f), glm::vec3(0.96f));
+  material.specular_strength = 0.5f;
+  expect_colors(material, glm::vec3(0.02f), glm::vec3(0.98f));
+  material.specular_strength = 0.0f;
+  expect_colors(material, glm::vec3(0.0f), glm::vec3(1.0f));
+  material.specular_strength = 1.0f;
+  material.specular = {0.0f, 1.0f, 2.0f};
+  expect_colors(material, {0.0f, 0.04f, 0.08f}, glm::vec3(0.92f));
+}
+
+// Metal mirrors in its colour however much of the rest is glass: glTF 2.0, appendix B.3.5, mixes the two.
+TEST_F(Sheet, OfMetalMirrorsAsMetal) {
+  Material material = sheet();
+  material.base_color = {0.9f, 0.6f, 0.3f, 1.0f};
+  for (const float metallic : {0.5f, 0.99f, 1.0f}) {
+    material.metallic = metallic;
+    const glm::vec3 base(material.base_color);
+    expect_colors(material, glm::mix(glm::vec3(0.04f), base, metallic), base * (1.0f - metallic) * 0.96f);
+  }
+}
+
 }  // namespace
 }  // namespace vernier::golden

@@ -77,26 +77,28 @@ TEST(ShadingTerms, textures_of_metallic_roughness_by_channel) {
   texels.occlusion = vec4(0.4f, 9, 9, 9);
   const ShadingTerms terms = terms_of(material, texels, vec3(1, 0.5f, 1));
   const vec3 base(0.1f, 0.1f, 0.4f);
-  const float m = 0.2f, r = 0.45f, st = 0.35f, tau = 0.3f, gloss = 0.55f * 0.55f;
+  const float m = 0.2f, r = 0.45f, st = 0.35f, tau = 0.3f, clear = tau * (1 - m);
+  const float gloss = 1 - (1 - 0.55f * 0.55f) * (1 - clear);
   const vec3 f = vec3(0.02f, 0.02f, 0.02f) * st;
   const vec3 f0 = f + (base - f) * m;
-  const vec3 diffuse = base * ((1 - m) * (1 - tau) * (1 - f0.z));
+  const vec3 diffuse = base * ((1 - m) * (1 - tau) * (1 - f.z));
   expect_near(terms.diffuse, diffuse);
   EXPECT_NEAR(terms.exponent, exponent(r), 1e-4f * exponent(r));
   expect_near(terms.mirror, f0 * gloss);
   expect_near(terms.mirror_grazing, vec3((st + (1 - st) * m) * gloss));
   expect_near(terms.ambient, (diffuse + f0 * (1 - gloss)) * 0.7f);
-  expect_near(terms.transmission, base * (tau * (1 - m)));
-  expect_near(terms.reflection_tint, vec3(1) + (f0 - 1.0f) * m);
+  expect_near(terms.transmission, base * clear);
+  EXPECT_FLOAT_EQ(terms.boundary_normal, f.z);
+  EXPECT_FLOAT_EQ(terms.boundary_grazing, st);
   expect_near(terms.emission, vec3(3, 2, 0));
 }
 
-TEST(ShadingTerms, a_half_metal_brighter_than_white_takes_no_light_away) {
+TEST(ShadingTerms, a_half_metal_is_half_as_diffuse) {
   Material material;
   material.base_color = glm::vec4(1);
   material.metallic = 0.5f;
-  const ShadingTerms terms = terms_of(material, no_slot_texels(), vec3(4, 1, 1));
-  EXPECT_EQ(terms.diffuse, vec3(0));
+  const ShadingTerms terms = terms_of(material, no_slot_texels(), vec3(4, 1, 1));  // brighter than white
+  expect_near(terms.diffuse, vec3(4, 1, 1) * (0.5f * 0.96f));
   EXPECT_GT(terms.specular.x, 0.0f);
 }
 
@@ -140,8 +142,16 @@ TEST(ShadingTerms, mtl_terms_are_those_of_the_file) {
   expect_near(terms.mirror, vec3(0.1f, 0.4f, 0.3f));
   expect_near(terms.mirror_grazing, terms.mirror);
   expect_near(terms.transmission, vec3(0.7f, 0.8f, 0.9f));
+  expect_near(terms_of(material, texels, vec3(0.5f, 1, 0)).ambient, vec3(0.025f, 0.1f, 0));
   material.fresnel_reflection = true;
-  EXPECT_EQ(terms_of(material).mirror_grazing, vec3(1));
+  material.ior = 1.5f;
+  terms = terms_of(material, texels);
+  expect_near(terms.mirror, vec3(0.04f));  // Fresnel's, since it is glass
+  EXPECT_EQ(terms.mirror_grazing, vec3(1));
+  EXPECT_FLOAT_EQ(terms.boundary_normal, 0.04f);
+  EXPECT_EQ(terms.boundary_grazing, 1.0f);
+  material.transmission = vec3(0);
+  expect_near(terms_of(material, texels).mirror, vec3(0.1f, 0.4f, 0.3f));
 }
 
 TEST(ShadingTerms, the_sharpest_highlight_has_an_end) {

@@ -39,6 +39,16 @@ TEST(DetectReflection, MetalMirrorsWithoutDielectricStrength) {
   EXPECT_TRUE(is_on(scene, EFFECT_REFLECTION));
 }
 
+TEST(DetectReflection, RoughMetalMirrorsAsMuchAsItIsGlass) {
+  Scene scene = white_triangle();
+  scene.materials[0].metallic = 0.5f;
+  scene.materials[0].roughness = 1.0f;
+  scene.materials[0].ior = 1.0f;
+  EXPECT_FALSE(is_on(scene, EFFECT_REFLECTION));
+  scene.materials[0].transmission = glm::vec3(0.5f);
+  EXPECT_TRUE(is_on(scene, EFFECT_REFLECTION));
+}
+
 TEST(DetectReflection, SpecularGlossiness) {
   Scene scene = white_triangle();
   Material& material = scene.materials[0];
@@ -145,6 +155,16 @@ TEST(DetectVertexColors, CountWhereTheyScaleSomething) {
   EXPECT_FALSE(is_on(scene, EFFECT_VERTEX_COLORS));
 }
 
+TEST(DetectVertexColors, TintAmbientLightOfAnMtlMaterial) {
+  Scene scene = white_triangle();
+  scene.meshes[0].colors.assign(3, glm::vec4(0.5f));
+  scene.materials[0].workflow = Workflow::blinn;
+  scene.materials[0].base_color = glm::vec4(0, 0, 0, 1);
+  EXPECT_FALSE(is_on(scene, EFFECT_VERTEX_COLORS));
+  scene.materials[0].ambient = glm::vec3(0.1f);
+  EXPECT_TRUE(is_on(scene, EFFECT_VERTEX_COLORS));
+}
+
 TEST(DetectSmoothNormals, NeedAllThreeCorners) {
   Scene scene = one_triangle();
   scene.meshes[0].normals.assign(3, glm::vec3(0, 0, 1));
@@ -171,6 +191,16 @@ TEST(DetectAmbient, PolishedMetalLeavesAmbientToItsMirrorRays) {
   scene.materials[0].roughness = 0.0f;
   EXPECT_FALSE(is_on(scene, EFFECT_AMBIENT));
   scene.materials[0].roughness = 0.5f;
+  EXPECT_TRUE(is_on(scene, EFFECT_AMBIENT));
+}
+
+TEST(DetectAmbient, RoughGlassMirrorsAllThatItDoesNotLetThrough) {
+  Scene scene = white_triangle();
+  scene.materials[0].specular_strength = 1.0f;
+  scene.materials[0].transmission = glm::vec3(1.0f);
+  scene.materials[0].roughness = 0.5f;
+  EXPECT_FALSE(is_on(scene, EFFECT_AMBIENT));
+  scene.materials[0].transmission = glm::vec3(0.5f);
   EXPECT_TRUE(is_on(scene, EFFECT_AMBIENT));
 }
 

@@ -76,8 +76,14 @@ TEST(SurfaceTerms, TransmissionTakesFromTheDiffusePart) {
   const glm::dvec3 base(0.8, 0.4, 0.2);
   const SurfaceTerms terms = terms_of(scene_of(material));
   expect_near(terms.transmission, base * 0.75 * 0.5);
-  expect_near(terms.diffuse, base * 0.5 * 0.25 * (1.0 - 0.42));  // F0 red: (0.04 + 0.8) / 2
-  expect_near(terms.dielectric_mirror_tint, 0.5 + 0.5 * (0.5 * 0.04 + 0.5 * base));
+  expect_near(terms.diffuse, base * 0.5 * 0.25 * 0.96);
+  // Roughness 1 mirrors as much as is clear.
+  expect_near(terms.mirror_normal, (0.02 + 0.5 * base) * 0.375);
+  EXPECT_NEAR(terms.withheld_normal, 0.04, kFloat);
+  EXPECT_NEAR(terms.withheld_grazing, 1.0, kFloat);
+  EXPECT_NEAR(passed_share(terms, 0.04, 1.5), 0.96, kFloat);
+  EXPECT_NEAR(passed_share(terms, 0.52, 1.5), 0.48, kFloat);
+  EXPECT_EQ(passed_share(terms, 1.0, 1.5), 0.0);
 }
 
 TEST(SurfaceTerms, MetallicRoughnessTextures) {
@@ -94,8 +100,8 @@ TEST(SurfaceTerms, MetallicRoughnessTextures) {
   const SurfaceTerms terms = terms_of(scene);
   const double metal = 0.3;
   const double f0 = 0.04 * 0.8 * 0.7 + metal;
-  const double gloss = 0.36;  // roughness 0.4
-  const double diffuse = 0.7 * 0.9 * (1.0 - f0);
+  const double gloss = 1.0 - 0.64 * (1.0 - 0.07);  // roughness 0.4, a tenth of what is no metal is clear
+  const double diffuse = 0.7 * 0.9 * (1.0 - 0.04 * 0.8);
   expect_near(terms.mirror_normal, glm::dvec3(f0 * gloss));
   expect_near(terms.mirror_grazing, glm::dvec3((0.8 * 0.7 + metal) * gloss));
   expect_near(terms.transmission, glm::dvec3(0.7 * 0.1));
