@@ -58,59 +58,82 @@ std::vector<bool> used_objects(std::span<const TreeInstance> instances, std::siz
   return used;
 }
 
+/// Adds a triangle for each instance whose object has any; the first instance's id is `first_id`.
+void add_stand_ins(std::span<const TreeInstance> instances, const std::vector<ObjectTree>& objects,
+                   std::uint32_t first_id, std::vector<BvhTriangle>& triangles) {
+  for (std::uint32_t i = 0; i < instances.size(); ++i) {
+    if (objects[instances[i].object].bvh.records.empty()) continue;
+    triangles.push_back(stand_in(instances[i].box, first_id + i));
+  }
+}
+
+/// The objects' trees behind the records of the tree above them.
+struct TreesBelow {
+  std::vector<std::uint32_t> roots;  ///< by object
+  std::vector<double> costs;         ///< their SAH costs
+  std::uint32_t depth = 0;           ///< of the deepest
+};
+
+/// Puts the trees that `instances` use behind the records of `bvh`, and empties them.
+TreesBelow append_used(std::span<const TreeInstance> instances, std::vector<ObjectTree>& objects, Bvh& bvh) {
+  const std::vector<bool> used = used_objects(instances, objects.size());
+  std::uint64_t record_count = bvh.records.size();
+  for (std::size_t i = 0; i < objects.size(); ++i) record_count += used[i] ? objects[i].bvh.records.size() : 0;
+  refuse_too_many(record_count);
+  bvh.records.reserve(record_count);
+  TreesBelow below;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    Bvh& object = objects[i].bvh;
+    below.roots.push_back(static_cast<std::uint32_t>(bvh.records.size()));
+    below.costs.push_back(object.sah_cost);
+    if (!used[i]) continue;
+    append(objects[i], bvh);
+    bvh.coarse = bvh.coarse && (object.records.empty() || object.coarse);
+    below.depth = std::max(below.depth, object.depth);
+    object = {};
+  }
+  return below;
+}
+
+/// Gives the triangles among the first `record_count` records their numbers, and puts instances where their stand-ins
+/// are, whose ids follow those of triangles.
+void place_instances(std::span<const TreeInstance> instances, std::span<const std::uint32_t> numbers,
+                     const TreesBelow& below, std::size_t record_count, Bvh& bvh) {
+  const float extent = longest_side(bvh.bounds);
+  const double root_area = half_area(bvh.bounds);
+  for (std::size_t i = 0; i < record_count; ++i) {
+    BvhRecord& record = bvh.records[i];
+    if (!is_triangle(record)) continue;
+    const std::uint32_t id = record[kNumberWord];
+    if (id < numbers.size()) {
+      record[kPlaceWord] = id;
+      record[kNumberWord] = numbers[id];
+      continue;
+    }
+    const TreeInstance& instance = instances[id - numbers.size()];
+    record = instance_record(instance, extent, below.roots[instance.object]);
+    bvh.sah_cost += half_area(instance.box) / root_area * below.costs[instance.object];
+    ++bvh.instance_count;
+    ++bvh.node_count;
+    --bvh.triangle_count;
+  }
+}
+
 }  // namespace
 
 Bvh build_instance_tree(std::vector<BvhTriangle> triangles, std::span<const std::uint32_t> numbers,
                         std::span<const TreeInstance> instances, std::vector<ObjectTree>& objects,
                         const std::function<bool(std::uint32_t)>& not_opaque, unsigned thread_count, BuildMethod method,
                         const std::function<void(double share)>& progress) {
-  // Ids of stand-ins follow those of triangles.
   const auto first_stand_in = static_cast<std::uint32_t>(numbers.size());
-  for (std::uint32_t i = 0; i < instances.size(); ++i) {
-    if (!objects[instances[i].object].bvh.records.empty()) {
-      triangles.push_back(stand_in(instances[i].box, first_stand_in + i));
-    }
-  }
+  add_stand_ins(instances, objects, first_stand_in, triangles);
   const auto may_pass = [&](std::uint32_t id) { return id < first_stand_in && not_opaque && not_opaque(id); };
   Bvh bvh = build_bvh(triangles, may_pass, thread_count, method, progress);
   triangles = {};
   const std::size_t own_records = bvh.records.size();
-  const std::vector<bool> used = used_objects(instances, objects.size());
-  std::uint64_t record_count = own_records;
-  for (std::size_t i = 0; i < objects.size(); ++i) record_count += used[i] ? objects[i].bvh.records.size() : 0;
-  refuse_too_many(record_count);
-  bvh.records.reserve(record_count);
-  std::vector<std::uint32_t> roots(objects.size());
-  std::uint32_t deepest = 0;
-  std::vector<double> costs(objects.size());
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    roots[i] = static_cast<std::uint32_t>(bvh.records.size());
-    costs[i] = objects[i].bvh.sah_cost;
-    if (!used[i]) continue;
-    append(objects[i], bvh);
-    bvh.coarse = bvh.coarse && (objects[i].bvh.records.empty() || objects[i].bvh.coarse);
-    deepest = std::max(deepest, objects[i].bvh.depth);
-    objects[i].bvh = {};
-  }
-  const float extent = longest_side(bvh.bounds);
-  const double root_area = half_area(bvh.bounds);
-  for (std::size_t i = 0; i < own_records; ++i) {
-    BvhRecord& record = bvh.records[i];
-    if (!is_triangle(record)) continue;
-    const std::uint32_t id = record[kNumberWord];
-    if (id < first_stand_in) {
-      record[kPlaceWord] = id;
-      record[kNumberWord] = numbers[id];
-      continue;
-    }
-    const TreeInstance& instance = instances[id - first_stand_in];
-    record = instance_record(instance, extent, roots[instance.object]);
-    bvh.sah_cost += half_area(instance.box) / root_area * costs[instance.object];
-    ++bvh.instance_count;
-    ++bvh.node_count;
-    --bvh.triangle_count;
-  }
-  if (bvh.instance_count > 0) bvh.depth += 1 + deepest;
+  const TreesBelow below = append_used(instances, objects, bvh);
+  place_instances(instances, numbers, below, own_records, bvh);
+  if (bvh.instance_count > 0) bvh.depth += 1 + below.depth;
   return bvh;
 }
 
