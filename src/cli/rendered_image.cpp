@@ -118,6 +118,16 @@ RenderResult render_with_progress(const Device& device, const SceneSetup& setup,
   }
 }
 
+/// Makes the recipe beside what follows: hashing a large scene's files takes longer than tracing a small picture.
+/// `plan` and `device` outlive it.
+std::shared_future<Metadata> begin_recipe(const RenderPlan& plan, const DeviceDescription& device, const Scene& scene) {
+  return std::async(std::launch::async, [&, files = scene.files] {
+    const RecipeMaker maker{device.name, device.driver,
+                            trace_spirv_hash(choose_scene_loads(device, plan.settings.traversal))};
+    return render_recipe(scene_recipe(plan.scene_arguments, files, plan.render_arguments), maker);
+  });
+}
+
 /// `recipe`, or none and a warning where the scene's files went while it was rendered: the picture is no worse for it.
 Metadata recipe_or_none(const std::shared_future<Metadata>& recipe, std::vector<std::string>& warnings) {
   try {
@@ -126,6 +136,14 @@ Metadata recipe_or_none(const std::shared_future<Metadata>& recipe, std::vector<
     warnings.push_back(std::string(failure.what()) + "; the image has no recipe");
     return {};
   }
+}
+
+RenderReport report_of(const RenderPlan& plan, const SceneSetup& setup, const CachedDevice& device,
+                       const MemoryNeed& memory, RenderStatistics statistics) {
+  RenderReport report{setup.scene.source, device.device().description(), plan.settings,  std::move(statistics),
+                      setup.load_ms,      setup.scene.warnings,          device.store(), memory};
+  report.warnings.insert(report.warnings.end(), report.statistics.warnings.begin(), report.statistics.warnings.end());
+  return report;
 }
 
 }  // namespace
@@ -151,17 +169,9 @@ RenderedImage render_planned(RenderPlan plan) {
   plan.settings.traversal = calibrated_form(description, loading.setup.scene, plan.settings.traversal);
   check_settings(plan.settings, description);
   std::shared_future<Metadata> recipe;
-  // Beside what follows: hashing a large scene's files takes longer than tracing a small picture.
-  const auto begin_recipe = [&](const Scene& scene) {
-    recipe = std::async(std::launch::async, [&, files = scene.files] {
-      const RecipeMaker maker{description.name, description.driver,
-                              trace_spirv_hash(choose_scene_loads(description, plan.settings.traversal))};
-      return render_recipe(scene_recipe(plan.scene_arguments, files, plan.render_arguments), maker);
-    });
-  };
   if (resumed) {  // that of another render is refused before the tree is built
     loading.images.finish(loading.setup.scene);
-    begin_recipe(loading.setup.scene);
+    recipe = begin_recipe(plan, description, loading.setup.scene);
     match_recipes("this render", recipe.get(), plan.resume, resumed->recipe, {});
   }
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
@@ -170,7 +180,7 @@ RenderedImage render_planned(RenderPlan plan) {
   const SceneSetup setup = finish(std::move(loading));
   check_not_read(output_files(plan), setup.scene.files);
   print_warnings(setup.scene.warnings);
-  if (!resumed) begin_recipe(setup.scene);
+  if (!resumed) recipe = begin_recipe(plan, description, setup.scene);
   const MemoryNeed memory = need_of(setup.scene, plan.settings);
   check_room(setup.scene, after_shape(memory), memory_there(description), plan.settings);
   RenderResult result =
@@ -179,10 +189,7 @@ RenderedImage render_planned(RenderPlan plan) {
   print_warnings(result.statistics.warnings);
 
   result.image.metadata.merge(describe_image(plan, result.image, result.statistics, std::move(words)));
-  RenderReport report{setup.scene.source, description,          plan.settings,  std::move(result.statistics),
-                      setup.load_ms,      setup.scene.warnings, device.store(), memory};
-  report.warnings.insert(report.warnings.end(), report.statistics.warnings.begin(), report.statistics.warnings.end());
-  return {std::move(result.image), std::move(report)};
+  return {std::move(result.image), report_of(plan, setup, device, memory, std::move(result.statistics))};
 }
 
 }  // namespace vernier
