@@ -42,6 +42,20 @@ void set_texture_filter(PackedScene& packed, TextureFilter filter) {
   }
 }
 
+void set_space(RenderConstants& constants, const TracedSpace& space) {
+  constants.world_center = glm::vec3(space.center);
+  constants.metres_per_unit = static_cast<float>(space.metres_per_unit);
+}
+
+void set_layout(SteeringConstants& steering, const VertexLayout& layout) {
+  steering.vertex_texels = layout.texels;
+  steering.normal_texel = layout.normal;
+  steering.uv01_texel = layout.uv01;
+  steering.uv23_texel = layout.uv23;
+  steering.color_texel = layout.color;
+  steering.tangent_texel = layout.tangent;
+}
+
 }  // namespace
 
 DeviceLight device_light(const Light& light, const TracedSpace& space) {
@@ -90,18 +104,11 @@ PackedScene pack_shape(const Scene& scene, unsigned thread_count, std::optional<
   packed.triangle_count = plan.triangles;
   packed.traced_triangles = trees.traced_triangles;
   packed.hidden_triangles = trees.hidden_triangles;
-  RenderConstants& constants = packed.constants;
-  constants.world_center = glm::vec3(packed.space.center);
-  constants.metres_per_unit = static_cast<float>(packed.space.metres_per_unit);
+  set_space(packed.constants, packed.space);
   packed.steering.triangle_count = packed.bvh.triangle_count;
   packed.steering.object_count = static_cast<std::uint32_t>(packed.first_triangles.size());
   packed.steering.one = 1;
-  packed.steering.vertex_texels = layout.texels;
-  packed.steering.normal_texel = layout.normal;
-  packed.steering.uv01_texel = layout.uv01;
-  packed.steering.uv23_texel = layout.uv23;
-  packed.steering.color_texel = layout.color;
-  packed.steering.tangent_texel = layout.tangent;
+  set_layout(packed.steering, layout);
   return packed;
 }
 
