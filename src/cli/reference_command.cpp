@@ -59,6 +59,26 @@ void set_texture_filters(Scene& scene, const RenderArguments& arguments) {
   }
 }
 
+/// A picture, and how much of it is there.
+struct ReferencePicture {
+  ImageFile image;
+  double share = 0.0;  ///< of the work, done
+};
+
+ReferencePicture render_with_progress(const SceneSetup& setup, const ReferenceSettings& settings, bool quiet) {
+  ReferencePicture picture;
+  ProgressBar bar(quiet);
+  const WorkClock clock;
+  ReferenceCallbacks callbacks;
+  callbacks.progress = [&](double share) {
+    picture.share = share;
+    bar.update(clock.at(share));
+  };
+  callbacks.cancelled = interrupted;
+  picture.image = render_reference(setup.scene, setup.camera, settings, callbacks);
+  return picture;
+}
+
 int run_reference(const ReferenceArguments& arguments) {
   catch_interrupt();
   const ReferenceSettings settings = reference_settings(arguments);
@@ -77,19 +97,7 @@ int run_reference(const ReferenceArguments& arguments) {
   load_codecs();  // before the work: without them it could not be written
   set_texture_filters(setup.scene, arguments.render);
   print_warnings(setup.scene.warnings);
-  ImageFile image;
-  double done = 0.0;  // share of the work
-  {
-    ProgressBar bar(arguments.quiet);
-    const WorkClock clock;
-    ReferenceCallbacks callbacks;
-    callbacks.progress = [&](double share) {
-      done = share;
-      bar.update(clock.at(share));
-    };
-    callbacks.cancelled = interrupted;
-    image = render_reference(setup.scene, setup.camera, settings, callbacks);
-  }
+  auto [image, done] = render_with_progress(setup, settings, arguments.quiet);
   if (file_format(arguments.output, ErrorKind::usage) != FileFormat::exr) image.layers.resize(1);  // the colours
   image.metadata.merge(reference_recipe(scene_recipe(arguments.scene, setup.scene.files, arguments.render)));
   const bool stopped = interrupted() && done < 1.0;
