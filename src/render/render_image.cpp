@@ -86,6 +86,18 @@ GpuScene upload_scene(const Device& device, const PackedScene& packed, SceneLoad
   return gpu_scene;
 }
 
+/// What the kernels are to know of `packed`, with the effects and the depth that `plan` calls for.
+TraceSpecialization specialization_of(const PackedScene& packed, const RenderSettings& settings, const EffectSet& plan,
+                                      const DeviceDescription& device) {
+  TraceSpecialization specialization = specialize(plan.bits, shape_of(packed), plan.depth.bounces,
+                                                  wants_aov(settings, "cost"), device, settings.traversal);
+  specialization.levels = settings.spot_levels.value_or(levels_of(settings.accuracy));
+  specialization.mutation = settings.mutation;
+  specialization.count_effects = settings.count_effects;
+  specialization.listed_pixels = settings.error_target.has_value();
+  return specialization;
+}
+
 /// Puts the sums of `saved` into the empty film.
 void resume(const Device& device, const SavedFilm& saved, Film& film) {
   const PixelRect& area = film.area();
@@ -131,7 +143,6 @@ RenderResult render_image(const Device& device, const Scene& scene, PackedScene 
   const PixelRect area = image_area(settings);
   RenderStatistics statistics;
   statistics.effects = plan_effects(scene, camera, settings.max_bounces, settings.cutoff, settings.effects);
-  const std::uint32_t bounces = statistics.effects.depth.bounces;
   const SceneLoads loads = choose_scene_loads(device.description(), settings.traversal);
 
   pack_look(scene, packed);
@@ -139,17 +150,12 @@ RenderResult render_image(const Device& device, const Scene& scene, PackedScene 
   describe_left_out(scene, packed, statistics);
   set_camera(packed, camera, settings);
   RenderSettings needed = settings;
-  needed.max_bounces = bounces;
+  needed.max_bounces = statistics.effects.depth.bounces;
   set_settings(packed, needed);
 
   GpuScene gpu_scene = upload_scene(device, packed, loads, statistics);
-  TraceSpecialization specialization =
-      specialize(statistics.effects.bits, shape_of(packed), bounces, wants_aov(settings, "cost"), device.description(),
-                 settings.traversal);
-  specialization.levels = settings.spot_levels.value_or(levels_of(settings.accuracy));
-  specialization.mutation = settings.mutation;
-  specialization.count_effects = settings.count_effects;
-  specialization.listed_pixels = settings.error_target.has_value();
+  const TraceSpecialization specialization =
+      specialization_of(packed, settings, statistics.effects, device.description());
   packed = {};  // the device has it now
 
   Film film(device, area, wants_geometry(settings));
