@@ -37,6 +37,32 @@ std::unique_ptr<Candidate> candidate_for(const Device& device, const Scene& scen
   }
 }
 
+/// Traces every candidate in turn, each right after the usual one. False where it was stopped.
+bool time_rounds(const std::vector<std::unique_ptr<Candidate>>& candidates, Candidate& usual, const FormBench& bench) {
+  const auto count = static_cast<double>(candidates.size());
+  const double steps = count * bench.rounds;
+  for (int round = 0; round < bench.rounds; ++round) {
+    for (std::size_t i = 0; i < candidates.size(); ++i) {
+      if (bench.stop && bench.stop()) return false;
+      if (Candidate* one = candidates[i].get()) {
+        const double usual_ms = usual.timed.trace().device_ms;
+        one->ms.push_back(one->timed.trace().device_ms);
+        one->ratios.push_back(one->ms.back() / usual_ms);
+      }
+      bench.progress((round * count + static_cast<double>(i) + 1.0) / steps);
+    }
+  }
+  return true;
+}
+
+/// What a candidate took; `picture` is what it should have drawn.
+void describe_times(const Candidate& one, const std::vector<float>& picture, FormTiming& timing) {
+  timing.compile_ms = one.timed.compile_ms();
+  timing.device_ms = spread_of(one.ms).median;
+  timing.ratio = spread_of(one.ratios);
+  if (one.timed.picture().values != picture) timing.left_out = "draws another picture";
+}
+
 TraversalForm best_of(const FormCalibration& found) {
   const FormTiming* best = nullptr;
   for (const FormTiming& one : found.forms) {
@@ -67,27 +93,10 @@ std::optional<FormCalibration> calibrate_forms(const Device& device, const Scene
     if (form == found.usual) usual = candidates.back().get();
   }
   if (usual == nullptr) throw Error(ErrorKind::refused, "the usual form of the traversal cannot be timed");
-  const double steps = static_cast<double>(candidates.size()) * bench.rounds;
-  for (int round = 0; round < bench.rounds; ++round) {
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      if (bench.stop && bench.stop()) return std::nullopt;
-      if (Candidate* one = candidates[i].get()) {
-        const double usual_ms = usual->timed.trace().device_ms;
-        one->ms.push_back(one->timed.trace().device_ms);
-        one->ratios.push_back(one->ms.back() / usual_ms);
-      }
-      bench.progress((round * static_cast<double>(candidates.size()) + static_cast<double>(i) + 1.0) / steps);
-    }
-  }
+  if (!time_rounds(candidates, *usual, bench)) return std::nullopt;
   const std::vector<float> picture = usual->timed.picture().values;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    const Candidate* one = candidates[i].get();
-    if (one == nullptr) continue;
-    FormTiming& timing = found.forms[i];
-    timing.compile_ms = one->timed.compile_ms();
-    timing.device_ms = spread_of(one->ms).median;
-    timing.ratio = spread_of(one->ratios);
-    if (one->timed.picture().values != picture) timing.left_out = "draws another picture";
+    if (candidates[i]) describe_times(*candidates[i], picture, found.forms[i]);
   }
   found.best = best_of(found);
   return found;
