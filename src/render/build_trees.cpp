@@ -71,6 +71,32 @@ void append_words(const DeviceInstance& instance, std::vector<std::uint32_t>& wo
   std::memcpy(words.data() + words.size() - kWords, &instance, sizeof(instance));
 }
 
+/// The shared meshes' instances, and which of the meshes they use.
+struct PlacedMeshes {
+  std::vector<TreeInstance> instances;
+  std::vector<bool> used;
+};
+
+/// Notes what the device has to know of each instance in `trees`, and counts its triangles there.
+PlacedMeshes place_meshes(const Scene& scene, const InstancePlan& plan, const TracedSpace& space,
+                          const BakedScene& baked, const SharedTrees& shared, SceneTrees& trees) {
+  PlacedMeshes placed{{}, std::vector<bool>(plan.meshes.size(), false)};
+  append_words(world_instance(), trees.instances);
+  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
+    const std::uint32_t object = plan.place[i];
+    if (object == NONE || shared.boxes[object].empty()) continue;
+    const DeviceInstance instance =
+        device_instance(scene.instances[i].world_from_object, plan.spaces[object], space, baked.first_triangles[i]);
+    append_words(instance, trees.instances);
+    const auto number = static_cast<std::uint32_t>(placed.instances.size() + 1);
+    placed.instances.push_back({instance_box(instance, shared.boxes[object]), object, number});
+    trees.traced_triangles += shared.traced[object];
+    trees.hidden_triangles += shared.hidden[object];
+    placed.used[object] = true;
+  }
+  return placed;
+}
+
 }  // namespace
 
 SceneTrees build_trees(const Scene& scene, const InstancePlan& plan, const TracedSpace& space, BakedScene& baked,
@@ -90,28 +116,16 @@ SceneTrees build_trees(const Scene& scene, const InstancePlan& plan, const Trace
   }
   TreeProgress tree_progress(progress, plan.stored_triangles + plan.shared_instances);
   SharedTrees shared = build_shared(scene, plan, baked, thread_count, *method, tree_progress);
-  std::vector<TreeInstance> instances;
-  append_words(world_instance(), trees.instances);
-  std::vector<bool> placed(plan.meshes.size(), false);
-  for (std::size_t i = 0; i < scene.instances.size(); ++i) {
-    const std::uint32_t object = plan.place[i];
-    if (object == NONE || shared.boxes[object].empty()) continue;
-    const DeviceInstance instance =
-        device_instance(scene.instances[i].world_from_object, plan.spaces[object], space, baked.first_triangles[i]);
-    append_words(instance, trees.instances);
-    instances.push_back(
-        {instance_box(instance, shared.boxes[object]), object, static_cast<std::uint32_t>(instances.size() + 1)});
-    trees.traced_triangles += shared.traced[object];
-    trees.hidden_triangles += shared.hidden[object];
-    placed[object] = true;
-  }
+  const PlacedMeshes placed = place_meshes(scene, plan, space, baked, shared, trees);
   const std::uint64_t copied = baked.corners.size();
-  trees.bvh = build_instance_tree(std::move(baked.corners), baked.numbers, instances, shared.trees, not_opaque,
-                                  thread_count, *method, tree_progress.next(copied + instances.size()));
+  trees.bvh = build_instance_tree(std::move(baked.corners), baked.numbers, placed.instances, shared.trees, not_opaque,
+                                  thread_count, *method, tree_progress.next(copied + placed.instances.size()));
   baked.corners = {};
   // The tree has those of a shared mesh once.
   trees.traced_triangles += trees.bvh.triangle_count;
-  for (std::size_t i = 0; i < shared.traced.size(); ++i) trees.traced_triangles -= placed[i] ? shared.traced[i] : 0;
+  for (std::size_t i = 0; i < shared.traced.size(); ++i) {
+    if (placed.used[i]) trees.traced_triangles -= shared.traced[i];
+  }
   return trees;
 }
 
