@@ -111,6 +111,15 @@ void copy_vertices(std::span<const SourceVertex> vertices, const BakedScene& bak
   }
 }
 
+/// Where each chunk's vertices begin, and behind the last the number of them all.
+std::vector<std::uint32_t> first_vertices(const std::vector<std::vector<SourceVertex>>& chunks) {
+  std::vector<std::uint32_t> firsts{0};
+  for (const std::vector<SourceVertex>& chunk : chunks) {
+    firsts.push_back(firsts.back() + static_cast<std::uint32_t>(chunk.size()));
+  }
+  return firsts;
+}
+
 }  // namespace
 
 LargeArray<std::uint32_t> lay_out_vertices(BakedScene baked, SceneTrees& trees, unsigned thread_count) {
@@ -129,18 +138,13 @@ LargeArray<std::uint32_t> lay_out_vertices(BakedScene baked, SceneTrees& trees, 
   parallel_for(threads, chunk_count,
                [&](std::size_t i) { chunks[i] = number_vertices(chunk_of(records, i), place, baked); });
   baked.triangles = {};
-  std::vector<std::uint32_t> first_vertices;
-  std::uint32_t count = 0;
-  for (const std::vector<SourceVertex>& chunk : chunks) {
-    first_vertices.push_back(count);
-    count += static_cast<std::uint32_t>(chunk.size());
-  }
+  const std::vector<std::uint32_t> firsts = first_vertices(chunks);
   const std::size_t words = 4 * std::size_t{baked.layout.texels};
-  LargeArray<std::uint32_t> vertices(words * count);
+  LargeArray<std::uint32_t> vertices(words * firsts.back());
   parallel_for(threads, chunk_count, [&](std::size_t i) {
-    copy_vertices(chunks[i], baked, vertices.data() + words * first_vertices[i]);
+    copy_vertices(chunks[i], baked, vertices.data() + words * firsts[i]);
     for (BvhRecord& record : chunk_of(records, i)) {
-      if (is_triangle(record)) record[kFlagsWord] = moved_vertex(record[kFlagsWord], first_vertices[i]);
+      if (is_triangle(record)) record[kFlagsWord] = moved_vertex(record[kFlagsWord], firsts[i]);
     }
   });
   return vertices;
