@@ -65,6 +65,27 @@ Layer geometric_layer(const std::string& name, const std::vector<std::uint32_t>&
   return layer;
 }
 
+/// Colour and cost of the pixel that `words` are of, which has a sample.
+void develop_pixel(const std::uint32_t* words, std::size_t pixel, DevelopedFilm& film) {
+  const std::uint32_t samples = words[FILM_SAMPLES];
+  const bool finite = words[FILM_NON_FINITE] == 0;
+  float* color = film.color.data() + 4 * pixel;
+  for (std::uint32_t c = 0; c < 3; ++c) {
+    color[c] = finite ? mean_of(words + 3 * c, samples) : std::numeric_limits<float>::quiet_NaN();
+    film.cost[3 * pixel + c] = static_cast<float>(static_cast<double>(words[FILM_RAYS + c]) / samples);
+  }
+  color[3] = static_cast<float>(static_cast<double>(words[FILM_HITS]) / samples);
+}
+
+/// Counts a pixel that is not finite; the first one's place is kept.
+void note_non_finite(const std::uint32_t* words, std::size_t pixel, const PixelRect& area, DevelopedFilm& film) {
+  if (film.non_finite_pixels++ > 0) return;
+  const auto width = static_cast<std::size_t>(area.width);
+  film.first_non_finite = {.x = area.x + static_cast<int>(pixel % width),
+                           .y = area.y + static_cast<int>(pixel / width),
+                           .sample = words[FILM_FIRST_NON_FINITE] - 1};
+}
+
 }  // namespace
 
 DevelopedFilm develop(const std::vector<std::uint32_t>& sums, const PixelRect& area) {
@@ -82,20 +103,8 @@ DevelopedFilm develop(const std::vector<std::uint32_t>& sums, const PixelRect& a
     film.least_samples = std::min(film.least_samples, samples);
     total_samples += samples;
     if (samples == 0) continue;
-    float* color = film.color.data() + 4 * pixel;
-    const bool finite = words[FILM_NON_FINITE] == 0;
-    for (std::uint32_t c = 0; c < 3; ++c) {
-      color[c] = finite ? mean_of(words + 3 * c, samples) : std::numeric_limits<float>::quiet_NaN();
-      film.cost[3 * pixel + c] = static_cast<float>(static_cast<double>(words[FILM_RAYS + c]) / samples);
-    }
-    color[3] = static_cast<float>(static_cast<double>(words[FILM_HITS]) / samples);
-    if (finite) continue;
-    if (film.non_finite_pixels++ == 0) {
-      const std::size_t width = static_cast<std::size_t>(area.width);
-      film.first_non_finite = {.x = area.x + static_cast<int>(pixel % width),
-                               .y = area.y + static_cast<int>(pixel / width),
-                               .sample = words[FILM_FIRST_NON_FINITE] - 1};
-    }
+    develop_pixel(words, pixel, film);
+    if (words[FILM_NON_FINITE] != 0) note_non_finite(words, pixel, area, film);
   }
   film.mean_samples = static_cast<double>(total_samples) / static_cast<double>(std::max<std::size_t>(pixel_count, 1));
   return film;
