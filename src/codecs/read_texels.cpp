@@ -5,6 +5,8 @@
 #include <array>
 #include <bit>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <new>
 #include <optional>
 #include <stdexcept>
@@ -140,31 +142,47 @@ void read_floats(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std
   });
 }
 
-void decode(std::span<const std::byte> encoded, const std::string& format, const std::string& name,
-            TexelEncoding encoding, const std::function<void(std::uint64_t)>& claim, Texels& texels) {
-  if (const std::optional<glm::ivec2> size = still_webp_size(encoded)) {
-    check_size(OIIO::ImageSpec(size->x, size->y, 4, OIIO::TypeDesc::UINT8), name);
-    claim(std::uint64_t(size->x) * std::uint64_t(size->y) * 4);
-    texels.width = std::uint32_t(size->x);
-    texels.height = std::uint32_t(size->y);
-    texels.format = encoding == TexelEncoding::srgb ? TEXTURE_FORMAT_SRGB8 : TEXTURE_FORMAT_LINEAR8;
-    texels.words.resize(std::size_t(texels.width) * texels.height);
-    if (!decode_still_webp(encoded, *size, texels.words)) refuse(name, "the image cannot be read");
-    return;
-  }
-  OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(encoded.data()), encoded.size());
+std::uint32_t byte_format(TexelEncoding encoding) {
+  return encoding == TexelEncoding::srgb ? TEXTURE_FORMAT_SRGB8 : TEXTURE_FORMAT_LINEAR8;
+}
+
+void decode_webp(std::span<const std::byte> encoded, const glm::ivec2& size, const std::string& name,
+                 TexelEncoding encoding, const std::function<void(std::uint64_t)>& claim, Texels& texels) {
+  check_size(OIIO::ImageSpec(size.x, size.y, 4, OIIO::TypeDesc::UINT8), name);
+  claim(std::uint64_t(size.x) * std::uint64_t(size.y) * 4);
+  texels.width = std::uint32_t(size.x);
+  texels.height = std::uint32_t(size.y);
+  texels.format = byte_format(encoding);
+  texels.words.resize(std::size_t(texels.width) * texels.height);
+  if (!decode_still_webp(encoded, size, texels.words)) refuse(name, "the image cannot be read");
+}
+
+/// The reader of `format` with `memory` open, which outlives it; `spec` is what it tells of the image.
+std::unique_ptr<OIIO::ImageInput> open_image(OIIO::Filesystem::IOMemReader& memory, const std::string& format,
+                                             const std::string& name, OIIO::ImageSpec& spec) {
   OIIO::ImageSpec config;
   config.attribute("oiio:UnassociatedAlpha", 1);
   // Some readers take a proxy only so, some only as an attribute, and would open a file of the name otherwise.
   OIIO::Filesystem::IOProxy* proxy = &memory;
   config.attribute("oiio:ioproxy", OIIO::TypeDesc::PTR, &proxy);
-  const std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
-  OIIO::ImageSpec spec;
+  std::unique_ptr<OIIO::ImageInput> input = OIIO::ImageInput::create(format);
   if (!input || !input->supports("ioproxy") || !input->set_ioproxy(&memory) ||
       !input->open("texture." + format, spec, config)) {
     OIIO::geterror();  // empties OpenImageIO's queue of messages
     refuse(name, "not an image in a format that can be read");
   }
+  return input;
+}
+
+void decode(std::span<const std::byte> encoded, const std::string& format, const std::string& name,
+            TexelEncoding encoding, const std::function<void(std::uint64_t)>& claim, Texels& texels) {
+  if (const std::optional<glm::ivec2> size = still_webp_size(encoded)) {
+    decode_webp(encoded, *size, name, encoding, claim, texels);
+    return;
+  }
+  OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(encoded.data()), encoded.size());
+  OIIO::ImageSpec spec;
+  const std::unique_ptr<OIIO::ImageInput> input = open_image(memory, format, name, spec);
   check_size(spec, name);
   check_length(spec, encoded.size(), format, name);
 
@@ -174,7 +192,7 @@ void decode(std::span<const std::byte> encoded, const std::string& format, const
   const bool is_bytes = !is_float && spec.format.size() == 1;
   claim(std::uint64_t(spec.width) * std::uint64_t(spec.height) * (is_bytes ? 4 : 16));
   if (is_bytes) {
-    texels.format = encoding == TexelEncoding::srgb ? TEXTURE_FORMAT_SRGB8 : TEXTURE_FORMAT_LINEAR8;
+    texels.format = byte_format(encoding);
     read_bytes(*input, spec, name, texels);
   } else {
     read_floats(*input, spec, name, !is_float && encoding == TexelEncoding::srgb, texels);
