@@ -133,6 +133,24 @@ std::uint32_t count_records(const BinaryTree& tree, const CollapsePlans& plans) 
   return count;
 }
 
+/// Writes the nodes above the subtrees that a thread each will write, and returns these; `depth` becomes the number of
+/// nodes on the longest way through what is written.
+std::vector<Task> write_upper(const Encoder& encoder, const BinaryTree& tree, std::uint32_t& depth) {
+  std::vector<Task> upper = {{tree.root, tree.leaf_count, 0, 1, 1, false}};
+  std::vector<Task> subtrees;
+  while (!upper.empty()) {
+    const Task task = upper.back();
+    upper.pop_back();
+    if (task.leaf_count <= kTaskSize) {
+      subtrees.push_back(task);
+    } else {
+      depth = std::max(depth, task.depth);
+      encoder.write_node(task, upper);
+    }
+  }
+  return subtrees;
+}
+
 }  // namespace
 
 Bvh encode_bvh(const BinaryTree& tree, const CollapsePlans& plans, std::span<const BvhTriangle> triangles,
@@ -151,18 +169,7 @@ Bvh encode_bvh(const BinaryTree& tree, const CollapsePlans& plans, std::span<con
   bvh.coarse = tree.coarse;
 
   const Encoder encoder(tree, plans, triangles, not_opaque, bvh.records);
-  std::vector<Task> upper = {{tree.root, tree.leaf_count, 0, 1, 1, false}};
-  std::vector<Task> subtrees;
-  while (!upper.empty()) {
-    const Task task = upper.back();
-    upper.pop_back();
-    if (task.leaf_count <= kTaskSize) {
-      subtrees.push_back(task);
-    } else {
-      bvh.depth = std::max(bvh.depth, task.depth);
-      encoder.write_node(task, upper);
-    }
-  }
+  const std::vector<Task> subtrees = write_upper(encoder, tree, bvh.depth);
   std::vector<std::uint32_t> depths(subtrees.size());
   team.run(subtrees.size(), [&](std::size_t i) {
     depths[i] = encoder.write_subtree(subtrees[i]);
