@@ -61,9 +61,8 @@ class TreeCheck {
     return order_.size() == bvh_.records.size() ? "" : "a record is not reached from the root";
   }
 
-  std::string visit_node(const BvhRecord& record, std::uint32_t index) {
-    const std::string place = "record " + std::to_string(index) + ": ";
-    const DecodedNode node = decode_node(record);
+  /// What is wrong with a node by itself.
+  std::string node_fault(const BvhRecord& record, const DecodedNode& node, const std::string& place) const {
     if (node.child_count < 1 || node.child_count > 4) {
       return place + "has " + std::to_string(node.child_count) + " children";
     }
@@ -86,6 +85,13 @@ class TreeCheck {
         return place + "has a broken grid";
       }
     }
+    return "";
+  }
+
+  std::string visit_node(const BvhRecord& record, std::uint32_t index) {
+    const DecodedNode node = decode_node(record);
+    std::string fault = node_fault(record, node, "record " + std::to_string(index) + ": ");
+    if (!fault.empty()) return fault;
     for (std::uint32_t child = node.child_base; child < node.child_base + node.child_count; ++child) {
       if (level_[child] != 0) {
         return "record " + std::to_string(child) + ": has two parents";
