@@ -26,6 +26,19 @@ std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
   return word;
 }
 
+/// The bytes of the whole that the header of the GLB `file` promises, all of which are there.
+std::size_t glb_length(std::span<const std::byte> file, const std::string& path) {
+  if (file.size() < kHeaderBytes + kChunkHeaderBytes) refuse(path, "the file ends within the GLB header");
+  if (word_at(file, 4) != 2)
+    refuse(path, "GLB version " + std::to_string(word_at(file, 4)) + " is not supported, only 2");
+  const std::size_t length = word_at(file, 8);
+  if (length > file.size()) {
+    refuse(path,
+           "the GLB header promises " + std::to_string(length) + " bytes, the file has " + std::to_string(file.size()));
+  }
+  return length;
+}
+
 }  // namespace
 
 std::vector<std::byte> read_file_bytes(const std::string& path, const std::string& place, std::uint64_t max_bytes) {
@@ -53,15 +66,7 @@ GltfContainer split_gltf_container(std::span<const std::byte> file, const std::s
     if (binary_expected) refuse(path, "not a binary glTF file: it does not begin with glTF");
     return {.json = file, .bin = {}, .has_bin = false};
   }
-  if (file.size() < kHeaderBytes + kChunkHeaderBytes) refuse(path, "the file ends within the GLB header");
-  if (word_at(file, 4) != 2)
-    refuse(path, "GLB version " + std::to_string(word_at(file, 4)) + " is not supported, only 2");
-  const std::size_t length = word_at(file, 8);
-  if (length > file.size()) {
-    refuse(path,
-           "the GLB header promises " + std::to_string(length) + " bytes, the file has " + std::to_string(file.size()));
-  }
-
+  const std::size_t length = glb_length(file, path);
   GltfContainer container;
   std::size_t offset = kHeaderBytes;
   for (int chunk = 0; length >= offset && length - offset >= kChunkHeaderBytes; ++chunk) {

@@ -52,6 +52,24 @@ bool is_fallback_buffer(const json& buffer) {
   });
 }
 
+/// Bytes of a buffer, and where they are from, for messages.
+struct BufferBytes {
+  std::vector<std::byte> bytes;
+  std::string source;
+};
+
+/// Of `uri`, or of the BIN chunk where it is empty. `place` is that of the buffer.
+BufferBytes read_buffer(GltfDocument& document, const std::string& uri, const GltfContainer& container,
+                        const std::string& place) {
+  const std::string full_place = document.path + ": " + place;
+  if (uri.empty()) return {{container.bin.begin(), container.bin.end()}, "the BIN chunk"};
+  if (is_data_uri(uri)) return {decode_data_uri(uri, full_place), "the data URI"};
+  const std::string path = path_from_uri(uri, document.directory);
+  BufferBytes read{read_file_bytes(path, full_place + ": " + uri, kMaxFileBytes), uri};
+  note_file(document.files, path);
+  return read;
+}
+
 GltfBuffer load_buffer(GltfDocument& document, const json& json_buffer, std::size_t index,
                        const GltfContainer& container) {
   const std::string place = "buffer " + std::to_string(index);
@@ -66,26 +84,15 @@ GltfBuffer load_buffer(GltfDocument& document, const json& json_buffer, std::siz
     buffer.is_fallback = true;
     return buffer;
   }
-  const std::string full_place = document.path + ": " + place;
-  std::string source = "the BIN chunk";
-  if (uri.empty()) {
-    buffer.bytes.assign(container.bin.begin(), container.bin.end());
-  } else if (is_data_uri(uri)) {
-    source = "the data URI";
-    buffer.bytes = decode_data_uri(uri, full_place);
-  } else {
-    source = uri;
-    const std::string path = path_from_uri(uri, document.directory);
-    buffer.bytes = read_file_bytes(path, full_place + ": " + uri, kMaxFileBytes);
-    note_file(document.files, path);
-  }
+  auto [bytes, source] = read_buffer(document, uri, container, place);
   const std::uint64_t promised = length->get<std::uint64_t>();
-  if (promised > buffer.bytes.size()) {
-    refuse_gltf(document, place,
-                source + " has " + std::to_string(buffer.bytes.size()) + " bytes, byteLength promises " +
-                    std::to_string(promised));
+  if (promised > bytes.size()) {
+    refuse_gltf(
+        document, place,
+        source + " has " + std::to_string(bytes.size()) + " bytes, byteLength promises " + std::to_string(promised));
   }
-  buffer.bytes.resize(static_cast<std::size_t>(promised));
+  bytes.resize(static_cast<std::size_t>(promised));
+  buffer.bytes = std::move(bytes);
   return buffer;
 }
 
