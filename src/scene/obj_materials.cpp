@@ -157,6 +157,33 @@ std::string folder_of(const std::string& path) {
   return path.substr(0, path.find_last_of('/') + 1);
 }
 
+/// A library's name as a path: without quotes, with slashes alone.
+std::string plain_name(std::string name) {
+  std::ranges::replace(name, '\\', '/');
+  if (name.size() > 2 && name.starts_with('"') && name.ends_with('"')) name = name.substr(1, name.size() - 2);
+  return name;
+}
+
+/// The file that the library `name` is in: where it says, or beside the model. Empty: there is none.
+std::string find_library(const std::string& name, const std::string& obj_folder) {
+  const std::string named = name.starts_with('/') ? name : obj_folder + name;
+  const std::string beside = obj_folder + name.substr(name.find_last_of('/') + 1);
+  for (const bool any_case : {false, true}) {
+    for (const std::string& place : {named, beside}) {
+      if (const std::string path = find_file(place, any_case); !path.empty()) return path;
+    }
+  }
+  return {};
+}
+
+MtlLibrary read_library(Scene& scene, const std::string& path, const LoadOptions& options) {
+  MtlLibrary library = parse_mtl(read_text(path));
+  note_file(scene.files, path);
+  for (const std::string& line : library.unsupported) warn_unsupported(scene, options, path + ": " + line);
+  for (const std::string& line : library.faults) scene.warnings.push_back(path + ": " + line);
+  return library;
+}
+
 }  // namespace
 
 std::map<std::string, std::uint32_t> load_obj_materials(LoadingScene& loading, const std::string& obj_path,
@@ -165,25 +192,15 @@ std::map<std::string, std::uint32_t> load_obj_materials(LoadingScene& loading, c
   std::map<std::string, std::uint32_t> index_by_name;
   Scene& scene = loading.scene;
   ObjTextures textures{loading.images, folder_of(obj_path), options.strict};
-  for (std::string name : libraries) {
-    std::ranges::replace(name, '\\', '/');
-    if (name.size() > 2 && name.starts_with('"') && name.ends_with('"')) name = name.substr(1, name.size() - 2);
-    const std::string named = name.starts_with('/') ? name : textures.obj_folder + name;
-    std::string path;
-    const std::string beside = textures.obj_folder + name.substr(name.find_last_of('/') + 1);
-    for (const bool any_case : {false, true}) {
-      if (path.empty()) path = find_file(named, any_case);
-      if (path.empty()) path = find_file(beside, any_case);
-    }
+  for (const std::string& written : libraries) {
+    const std::string name = plain_name(written);
+    const std::string path = find_library(name, textures.obj_folder);
     if (path.empty()) {
       warn_unsupported(scene, options,
                        obj_path + ": material library " + printable(name) + " is not there; its materials are grey");
       continue;
     }
-    const MtlLibrary library = parse_mtl(read_text(path));
-    note_file(scene.files, path);
-    for (const std::string& line : library.unsupported) warn_unsupported(scene, options, path + ": " + line);
-    for (const std::string& line : library.faults) scene.warnings.push_back(path + ": " + line);
+    const MtlLibrary library = read_library(scene, path, options);
     const std::set<std::string> at_once = normals_with_heights(library);
     for (const MtlMaterial& source : library.materials) {
       if (!index_by_name.try_emplace(source.name, static_cast<std::uint32_t>(scene.materials.size())).second) continue;
