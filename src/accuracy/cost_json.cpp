@@ -212,6 +212,30 @@ nlohmann::ordered_json cost_json(const Sweep& sweep, const SweepSetup& setup, co
   return json;
 }
 
+namespace {
+
+/// In the order of the columns of cost.csv, from build_ms on.
+std::vector<double> csv_figures(const Sweep& sweep, const PointResult& result) {
+  const PointSummary summary = summarize(result);
+  std::vector<double> values{
+      sweep.build_ms,          sweep.upload_ms,        result.compile_ms,      summary.device_ms.median,
+      summary.device_ms.least, summary.device_ms.most, summary.wall_ms.median, summary.rays,
+      summary.mean_samples};
+  const auto add = [&](const Interval& interval) {
+    values.insert(values.end(), {interval.mean, interval.low, interval.high});
+  };
+  add(summary.rel_error);
+  values.insert(values.end(), {summary.claimed_error, summary.bias_floor});
+  for (const Interval* one :
+       {&summary.rmse, &summary.rel_mse, &summary.psnr_db, &summary.flip_mean, &summary.flip_p99, &summary.most}) {
+    add(*one);
+  }
+  values.insert(values.end(), {static_cast<double>(summary.non_finite), summary.efficiency});
+  return values;
+}
+
+}  // namespace
+
 std::string cost_csv(const Sweep& sweep) {
   std::string text =
       "name,axis,runs,build_ms,upload_ms,compile_ms,device_ms,device_ms_least,device_ms_most,wall_ms,rays,mean_samples,"
@@ -219,23 +243,8 @@ std::string cost_csv(const Sweep& sweep) {
       "rel_mse_high,psnr_db,psnr_db_low,psnr_db_high,flip_mean,flip_mean_low,flip_mean_high,flip_p99,flip_p99_low,"
       "flip_p99_high,max,max_low,max_high,non_finite,efficiency\n";
   for (const PointResult& result : sweep.points) {
-    const PointSummary summary = summarize(result);
-    std::vector<double> values{
-        sweep.build_ms,          sweep.upload_ms,        result.compile_ms,      summary.device_ms.median,
-        summary.device_ms.least, summary.device_ms.most, summary.wall_ms.median, summary.rays,
-        summary.mean_samples};
-    const auto add = [&](const Interval& interval) {
-      values.insert(values.end(), {interval.mean, interval.low, interval.high});
-    };
-    add(summary.rel_error);
-    values.insert(values.end(), {summary.claimed_error, summary.bias_floor});
-    for (const Interval* one :
-         {&summary.rmse, &summary.rel_mse, &summary.psnr_db, &summary.flip_mean, &summary.flip_p99, &summary.most}) {
-      add(*one);
-    }
-    values.insert(values.end(), {static_cast<double>(summary.non_finite), summary.efficiency});
     text += "\"" + result.point.name + "\"," + result.point.axis + "," + std::to_string(result.runs.size());
-    for (const double value : values) {
+    for (const double value : csv_figures(sweep, result)) {
       char figure[32];
       std::snprintf(figure, sizeof figure, ",%.9g", value);
       text += figure;
