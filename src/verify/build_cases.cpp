@@ -72,53 +72,68 @@ CaseResult run_scale(const CaseSetup& setup) {
   return tally.result();
 }
 
+namespace {
+
+constexpr std::uint32_t kGarbageVertices = 300, kGarbageTriangles = 200;
+
+/// Any bits as positions, but below 2 in most places where `mostly_small`; now and then any bits as an index.
+VerifyMesh garbage_mesh(SampleRandom& numbers, bool mostly_small) {
+  VerifyMesh mesh;
+  for (std::uint32_t i = 0; i < 3 * kGarbageVertices; ++i) {
+    if (i % 3 == 0) mesh.positions.emplace_back();
+    const bool small = mostly_small && numbers.below(64) != 0;
+    const std::uint32_t bits = static_cast<std::uint32_t>(numbers.bits() >> 32) & (small ? 0xbfffffffu : 0xffffffffu);
+    mesh.positions.back()[static_cast<int>(i % 3)] = std::bit_cast<float>(bits);
+  }
+  for (std::uint32_t i = 0; i < kGarbageTriangles; ++i) {
+    glm::uvec3 t(numbers.below(kGarbageVertices), numbers.below(kGarbageVertices), numbers.below(kGarbageVertices));
+    if (numbers.below(32) == 0) t.y = static_cast<std::uint32_t>(numbers.bits() >> 32);
+    mesh.triangles.push_back(t);
+  }
+  return mesh;
+}
+
+/// Any rays through `garbage`, from sample `first` on, must end with a triangle of it or none.
+void trace_garbage(const CaseSetup& setup, const char* name, RayKernel& kernel, const RayScene& garbage,
+                   std::uint64_t first, std::uint64_t count, Tally& tally) {
+  std::vector<RayQuery> queries(count);
+  for (std::uint64_t i = 0; i < queries.size(); ++i) {
+    SampleRandom random(setup.seed, name, first + i);
+    queries[i] = ray_query(glm::vec3(random.direction()), glm::vec3(random.direction()));
+    queries[i].outgoing = glm::vec3(random.direction());
+  }
+  const std::vector<RayAnswer> answers = kernel.trace(garbage, queries);
+  for (std::size_t i = 0; i < queries.size(); ++i) {
+    const RayAnswer& a = answers[i];
+    const bool sound = a.finished == 1 && (a.triangle == NONE || a.triangle < kGarbageTriangles) && std::isfinite(a.t);
+    tally.book(sound, [&] { return ray_inputs(queries[i]); });
+  }
+}
+
+}  // namespace
+
 CaseResult run_garbage_mesh(const CaseSetup& setup) {
   constexpr const char* kName = "garbage_mesh";
   constexpr std::uint64_t kRaysPerMesh = 512;
-  constexpr std::uint32_t kVertices = 300, kTriangles = 200;
   const std::uint64_t count = std::min<std::uint64_t>(setup.sample_count, 1u << 14);  // 32 scenes
   RayKernel kernel(setup, VERIFY_RESPAWN);
   Tally tally;
   std::uint64_t refused = 0;
   for (std::uint64_t first = 0; first < count; first += kRaysPerMesh) {
     SampleRandom numbers = mesh_random(setup, kName, static_cast<std::uint32_t>(first / kRaysPerMesh));
-    VerifyMesh mesh;
-    for (std::uint32_t i = 0; i < 3 * kVertices; ++i) {
-      if (i % 3 == 0) mesh.positions.emplace_back();
-      // Three of four meshes keep below 2 in most places, or all would be refused for their size.
-      const bool small = first / kRaysPerMesh % 4 != 0 && numbers.below(64) != 0;
-      const std::uint32_t bits = static_cast<std::uint32_t>(numbers.bits() >> 32) & (small ? 0xbfffffffu : 0xffffffffu);
-      mesh.positions.back()[static_cast<int>(i % 3)] = std::bit_cast<float>(bits);
-    }
-    for (std::uint32_t i = 0; i < kTriangles; ++i) {
-      glm::uvec3 t(numbers.below(kVertices), numbers.below(kVertices), numbers.below(kVertices));
-      if (numbers.below(32) == 0) t.y = static_cast<std::uint32_t>(numbers.bits() >> 32);
-      mesh.triangles.push_back(t);
-    }
-    Scene scene = scene_with(mesh, glm::dmat4(1.0));
+    // Three of four meshes are mostly small, or all would be refused for their size.
+    Scene scene = scene_with(garbage_mesh(numbers, first / kRaysPerMesh % 4 != 0), glm::dmat4(1.0));
+    const std::uint64_t rays = std::min(kRaysPerMesh, count - first);
     try {
       validate_scene(scene);
     } catch (const Error&) {
       // Refused with a message, as it may be.
-      refused += std::min(kRaysPerMesh, count - first);
-      for (std::uint64_t i = first; i < std::min(first + kRaysPerMesh, count); ++i) {
-        tally.book(true, [] { return std::string(); });
-      }
+      refused += rays;
+      for (std::uint64_t i = 0; i < rays; ++i) tally.book(true, [] { return std::string(); });
       continue;
     }
     const RayScene garbage(*setup.device, pack_scene(scene, 0), setup.traversal);
-    std::vector<RayQuery> queries(std::min(kRaysPerMesh, count - first));
-    for (std::uint64_t i = 0; i < queries.size(); ++i) {
-      SampleRandom random(setup.seed, kName, first + i);
-      queries[i] = ray_query(glm::vec3(random.direction()), glm::vec3(random.direction()));
-      queries[i].outgoing = glm::vec3(random.direction());
-    }
-    const std::vector<RayAnswer> answers = kernel.trace(garbage, queries);
-    for (std::size_t i = 0; i < queries.size(); ++i) {
-      const RayAnswer& a = answers[i];
-      const bool sound = a.finished == 1 && (a.triangle == NONE || a.triangle < kTriangles) && std::isfinite(a.t);
-      tally.book(sound, [&] { return ray_inputs(queries[i]); });
-    }
+    trace_garbage(setup, kName, kernel, garbage, first, rays, tally);
   }
   // With fewer than two meshes there is nothing but a refused one.
   const CaseResult result = tally.result();

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "verify/image_cases.h"
 #include "verify/picture.h"
@@ -107,47 +108,67 @@ CaseResult run_mirror_corridor(const CaseSetup& setup) {
   return tally.result();
 }
 
+namespace {
+
+/// The ruler of the corner: half its length, and where it stands along z.
+constexpr float kCornerRulerHalf = 4.0f, kCornerRulerPlace = 3.0f;
+
+/// Three mirrors that meet at the origin, seen from within. A ruler stands behind the eye, across z: the ray comes back
+/// parallel to itself, mirrored at the corner.
+ImageScene corner_scene(SampleRandom& random) {
+  constexpr float kHalf = kCornerRulerHalf;
+  ImageScene made;
+  for (int axis = 0; axis < 3; ++axis) {
+    glm::vec3 u(0.0f), v(0.0f);
+    u[(axis + 1) % 3] = v[(axis + 2) % 3] = 2.0f;
+    add_rectangle(made.scene, glm::vec3(0.0f), u, v, mirror(1.0f));
+  }
+  add_rectangle(made.scene, {-kHalf, -kHalf, kCornerRulerPlace}, {0, 2 * kHalf, 0}, {2 * kHalf, 0, 0},
+                unlit(glm::vec3(1.0f)));
+  made.scene.meshes.back().colors = {{0, 0, 0, 1}, {0, 0, 0, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}};
+  const glm::dvec3 eye(random.in(0.5, 1.0), random.in(0.5, 1.0), random.in(1.5, 2.5));
+  made.camera = looking(eye, glm::dvec3(0.0), 0.5);
+  return made;
+}
+
+/// Where on the ruler `ray` ends that went into the corner; none where it misses a mirror or the ruler, or passes their
+/// rims too near to tell.
+std::optional<double> corner_mark(const PixelRay& ray) {
+  // Unfolded, the ray goes straight on through the corner's planes, each of which has to be met within its square.
+  for (int axis = 0; axis < 3; ++axis) {
+    const double t = -ray.origin[axis] / ray.direction[axis];
+    const glm::dvec3 at = glm::abs(ray.origin + t * ray.direction);
+    if (!(t > 0.0) || std::max({at.x, at.y, at.z}) > 1.999) return std::nullopt;
+  }
+  // A ray within 1e-4 of a seam of two mirrors may miss neither, but which comes first is up to rounding; both
+  // orders end in the same place, so it counts.
+  const double t = (-kCornerRulerPlace - ray.origin.z) / ray.direction.z;
+  const double mark = -(ray.origin.x + t * ray.direction.x);
+  const double aside = std::max(std::abs(mark), std::abs(ray.origin.y + t * ray.direction.y));
+  return aside > 0.999 * kCornerRulerHalf ? std::nullopt : std::optional(mark);
+}
+
+}  // namespace
+
 CaseResult run_corner_cube(const CaseSetup& setup) {
   constexpr const char* kName = "corner_cube";
-  constexpr float kRulerHalf = 4.0f, kRulerPlace = 3.0f;
+  constexpr float kRulerHalf = kCornerRulerHalf;
   // Three bounces that each turn the direction by at most 4 ulp and move the ray by 8 steps of coordinates up to 4 m,
   // over at most 6 m of way; then the ruler's ten roundings of 1.
   const double bound = (3.0 * 8.0 * 4.0 * 0x1p-24 + 3.0 * 4.0 * 0x1p-23 * 6.0) / (2.0 * kRulerHalf) + 10.0 * 0x1p-24;
   Tally tally("absolute", bound);
   std::uint64_t judged = 0;
   for_each_picture(setup, kName, kSide, 8, [&](SampleRandom& random, std::uint64_t number) {
-    ImageScene made;
-    for (int axis = 0; axis < 3; ++axis) {
-      glm::vec3 u(0.0f), v(0.0f);
-      u[(axis + 1) % 3] = v[(axis + 2) % 3] = 2.0f;
-      add_rectangle(made.scene, glm::vec3(0.0f), u, v, mirror(1.0f));
-    }
-    // A ruler behind the eye, across z: the ray comes back parallel to itself, mirrored at the corner.
-    add_rectangle(made.scene, {-kRulerHalf, -kRulerHalf, kRulerPlace}, {0, 2 * kRulerHalf, 0}, {2 * kRulerHalf, 0, 0},
-                  unlit(glm::vec3(1.0f)));
-    made.scene.meshes.back().colors = {{0, 0, 0, 1}, {0, 0, 0, 1}, {1, 1, 1, 1}, {1, 1, 1, 1}};
-    const glm::dvec3 eye(random.in(0.5, 1.0), random.in(0.5, 1.0), random.in(1.5, 2.5));
-    made.camera = looking(eye, glm::dvec3(0.0), 0.5);
+    const ImageScene made = corner_scene(random);
     RenderSettings settings = picture_settings(setup, kSide);
     settings.max_bounces = 3;
     Picture picture = render_picture(setup, made, settings);
     picture.number = number;
     book_pixel_errors(tally, picture, [&](std::size_t pixel) {
-      const PixelRay ray = pixel_ray(made.camera, picture, pixel);
-      // Unfolded, the ray goes straight on through the corner's planes, each of which has to be met within its square.
-      for (int axis = 0; axis < 3; ++axis) {
-        const double t = -ray.origin[axis] / ray.direction[axis];
-        const glm::dvec3 at = glm::abs(ray.origin + t * ray.direction);
-        if (!(t > 0.0) || std::max({at.x, at.y, at.z}) > 1.999) return 0.0;
-      }
-      // A ray within 1e-4 of a seam of two mirrors may miss neither, but which comes first is up to rounding; both
-      // orders end in the same place, so it counts.
-      const double t = (-kRulerPlace - ray.origin.z) / ray.direction.z;
-      const double mark = -(ray.origin.x + t * ray.direction.x);
-      const double aside = std::max(std::abs(mark), std::abs(ray.origin.y + t * ray.direction.y));
-      if (aside > 0.999 * kRulerHalf) return 0.0;
+      const std::optional<double> mark = corner_mark(pixel_ray(made.camera, picture, pixel));
+      if (!mark) return 0.0;
       ++judged;
-      return std::abs(picture.color(pixel).x - (mark + kRulerHalf) / (2.0 * kRulerHalf));
+      return std::abs(picture.color(pixel).x - (*mark + kRulerHalf) / (2.0 * kRulerHalf));
     });
   });
   return if_judged(tally.result(), judged);

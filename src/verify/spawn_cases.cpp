@@ -148,50 +148,70 @@ CaseResult run_behind_origin(const CaseSetup& setup) {
   return tally.result();
 }
 
-CaseResult run_neighbour_acne(const CaseSetup& setup) {
-  constexpr int kQuads = 32;
+namespace {
+
+/// Quads of a strip.
+constexpr int kQuads = 32;
+
+/// A strip of quads across x that bends away from +z by `angle` at each edge.
+VerifyMesh bent_strip(double angle) {
+  VerifyMesh mesh;
+  double slope = angle * kQuads / 2, z = 0.0;
+  for (int i = 0; i <= kQuads; ++i) {
+    const double x = 2.0 * i / kQuads - 1.0;
+    mesh.positions.push_back(glm::vec3(x, -0.5, z));
+    mesh.positions.push_back(glm::vec3(x, 0.5, z));
+    z += slope * 2.0 / kQuads;
+    slope -= angle;
+  }
+  for (std::uint32_t i = 0; i < kQuads; ++i) {
+    mesh.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 3});
+    mesh.triangles.push_back({2 * i, 2 * i + 3, 2 * i + 1});
+  }
+  return mesh;
+}
+
+/// Strips of several angles, each as it is and turned.
+std::vector<VerifyMesh> bent_strips() {
   constexpr std::array kAngles{0.0, 1e-7, 1e-6, 1e-5, 1e-4};
   std::vector<VerifyMesh> meshes;
   for (const double angle : kAngles) {
-    VerifyMesh mesh;
-    double slope = angle * kQuads / 2, z = 0.0;
-    for (int i = 0; i <= kQuads; ++i) {
-      const double x = 2.0 * i / kQuads - 1.0;
-      mesh.positions.push_back(glm::vec3(x, -0.5, z));
-      mesh.positions.push_back(glm::vec3(x, 0.5, z));
-      z += slope * 2.0 / kQuads;
-      slope -= angle;
-    }
-    for (std::uint32_t i = 0; i < kQuads; ++i) {
-      mesh.triangles.push_back({2 * i, 2 * i + 2, 2 * i + 3});
-      mesh.triangles.push_back({2 * i, 2 * i + 3, 2 * i + 1});
-    }
+    VerifyMesh mesh = bent_strip(angle);
     meshes.push_back(mesh);
     // Turned, so that no coordinate is the same all over a triangle.
     const glm::dvec3 u(0.36, 0.48, -0.8), v(-0.8, 0.6, 0.0), n(0.48, 0.64, 0.6);
     for (glm::vec3& p : mesh.positions) p = glm::vec3((u * double{p.x} + v * double{p.y} + n * double{p.z}) * 0.75);
     meshes.push_back(mesh);
   }
+  return meshes;
+}
+
+/// A ray onto a quad of `strip` near an edge to its neighbour, that goes on towards that edge.
+RayQuery towards_neighbour(SampleRandom& random, const VerifyMesh& strip) {
+  const std::uint32_t quad = 1 + random.below(kQuads - 2);  // with a neighbour on both sides
+  // Near the edge to the neighbour: 2^-24 to 1/2 of the quad's width from it.
+  const double along = std::exp2(random.in(-24.0, -1.0)), across = random.in(0.05, 0.95);
+  const bool at_start = random.below(2) == 0;
+  const double weight = at_start ? along : 1.0 - along;
+  const auto corner = [&](std::uint32_t i) { return glm::dvec3(strip.positions[2 * quad + i]); };
+  const glm::dvec3 start = glm::mix(corner(0), corner(1), across), end = glm::mix(corner(2), corner(3), across);
+  const glm::dvec3 place = glm::mix(start, end, weight);
+  const glm::dvec3 normal = glm::normalize(glm::cross(corner(2) - corner(0), corner(1) - corner(0)));
+  const glm::vec3 origin(place + normal * 0.25 + random.direction() * 0.1);
+  RayQuery query = ray_query(origin, glm::vec3(place) - origin);
+  // Towards the edge, 1e-4 radians above the quad: the neighbour bends away by up to as much.
+  query.outgoing = glm::vec3(glm::normalize((at_start ? start - end : end - start)) + normal * 1e-4);
+  return query;
+}
+
+}  // namespace
+
+CaseResult run_neighbour_acne(const CaseSetup& setup) {
+  const std::vector<VerifyMesh> meshes = bent_strips();
   Tally tally;
   trace_samples(
       setup, "neighbour_acne", VERIFY_RESPAWN, scenes_of(setup, meshes), tally,
-      [&](SampleRandom& random, std::uint32_t target) {
-        const VerifyMesh& mesh = meshes[target];
-        const std::uint32_t quad = 1 + random.below(kQuads - 2);  // with a neighbour on both sides
-        // Near the edge to the neighbour: 2^-24 to 1/2 of the quad's width from it.
-        const double along = std::exp2(random.in(-24.0, -1.0)), across = random.in(0.05, 0.95);
-        const bool at_start = random.below(2) == 0;
-        const double weight = at_start ? along : 1.0 - along;
-        const auto corner = [&](std::uint32_t i) { return glm::dvec3(mesh.positions[2 * quad + i]); };
-        const glm::dvec3 start = glm::mix(corner(0), corner(1), across), end = glm::mix(corner(2), corner(3), across);
-        const glm::dvec3 place = glm::mix(start, end, weight);
-        const glm::dvec3 normal = glm::normalize(glm::cross(corner(2) - corner(0), corner(1) - corner(0)));
-        const glm::vec3 origin(place + normal * 0.25 + random.direction() * 0.1);
-        RayQuery query = ray_query(origin, glm::vec3(place) - origin);
-        // Towards the edge, 1e-4 radians above the quad: the neighbour bends away by up to as much.
-        query.outgoing = glm::vec3(glm::normalize((at_start ? start - end : end - start)) + normal * 1e-4);
-        return query;
-      },
+      [&](SampleRandom& random, std::uint32_t target) { return towards_neighbour(random, meshes[target]); },
       [&](const RayQuery& query, const RayAnswer& answer, std::uint32_t target) {
         // Rounded corners may bend a strip towards the ray after all: then the hit has to be a true one.
         bool is_true = answer.triangle != NONE;
