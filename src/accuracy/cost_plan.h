@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "effects/effect_set.h"
+#include "effects/choose_effects.h"
 #include "render/render_settings.h"
 
 namespace vernier {

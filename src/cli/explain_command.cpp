@@ -14,7 +14,7 @@
 #include "cli/render_options.h"
 #include "cli/scene_setup.h"
 #include "cli/warnings.h"
-#include "effects/detect_effects.h"
+#include "effects/choose_effects.h"
 #include "error.h"
 #include "math/elapsed.h"
 #include "render/form_file.h"

@@ -8,7 +8,7 @@
 #include <sstream>
 
 #include "cli/parse_values.h"
-#include "effects/detect_effects.h"
+#include "effects/choose_effects.h"
 #include "effects/effect_names.h"
 #include "error.h"
 

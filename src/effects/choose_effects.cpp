@@ -1,3 +1,5 @@
+#include "effects/choose_effects.h"
+
 #include <sstream>
 
 #include "effects/detect_effects.h"

@@ -1,4 +1,3 @@
-#include "effects/detect_effects.h"
 #include "preview/effect_switches.h"
 #include "preview/panels.h"
 

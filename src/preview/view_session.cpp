@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 
+#include "effects/choose_effects.h"
 #include "effects/detect_effects.h"
 #include "math/elapsed.h"
 #include "render/read_film.h"

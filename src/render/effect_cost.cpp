@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "effects/detect_effects.h"
+#include "effects/choose_effects.h"
 #include "image/difference.h"
 #include "image/flip.h"
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 
-#include "effects/detect_effects.h"
+#include "effects/choose_effects.h"
 #include "error.h"
 #include "math/elapsed.h"
 #include "render/film.h"

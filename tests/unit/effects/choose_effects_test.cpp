@@ -1,3 +1,5 @@
+#include "effects/choose_effects.h"
+
 #include <gtest/gtest.h>
 
 #include "effects/effect_names.h"

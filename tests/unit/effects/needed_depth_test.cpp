@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "effects/choose_effects.h"
 #include "one_triangle.h"
 
 namespace vernier {

@@ -4,7 +4,7 @@
 
 #include <bit>
 
-#include "effects/detect_effects.h"
+#include "effects/choose_effects.h"
 #include "effects/effect_names.h"
 
 namespace vernier {
