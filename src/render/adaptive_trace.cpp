@@ -4,6 +4,8 @@
 #include <map>
 #include <vector>
 
+#include "render/develop.h"
+
 namespace vernier {
 namespace {
 

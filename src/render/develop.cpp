@@ -1,11 +1,11 @@
-// Film words to values.
+#include "render/develop.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
 
 #include "error.h"
-#include "render/film.h"
 #include "shared/film_layout.h"
 
 namespace vernier {

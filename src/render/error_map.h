@@ -3,8 +3,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "render/develop.h"
 #include "render/error_estimate.h"
-#include "render/film.h"
 
 namespace vernier {
 

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "error.h"
-#include "render/film.h"
+#include "render/develop.h"
 #include "render/film_layer.h"
 #include "shared/film_layout.h"
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "render/develop.h"
 #include "render/film_layer.h"
 
 namespace vernier {

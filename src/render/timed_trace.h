@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "render/develop.h"
 #include "render/film.h"
 #include "render/gpu_scene.h"
 #include "render/pack_scene.h"

@@ -3,6 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "device_test.h"
+#include "render/develop.h"
 #include "shader/trace_on_cpu.h"
 #include "traced_film.h"
 

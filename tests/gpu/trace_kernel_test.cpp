@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "device_test.h"
+#include "render/develop.h"
 #include "shader/trace_on_cpu.h"
 #include "traced_film.h"
 

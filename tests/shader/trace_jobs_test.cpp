@@ -2,7 +2,7 @@
 
 #include "effects/detect_effects.h"
 #include "reference/render_reference.h"
-#include "render/film.h"
+#include "render/develop.h"
 #include "shader/trace_on_cpu.h"
 
 namespace vernier::shader {

@@ -1,10 +1,11 @@
+#include "render/develop.h"
+
 #include <gtest/gtest.h>
 
 #include <bit>
 #include <cmath>
 
 #include "error.h"
-#include "render/film.h"
 #include "shared/film_layout.h"
 
 namespace vernier {
