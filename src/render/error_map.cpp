@@ -12,9 +12,6 @@
 namespace vernier {
 namespace {
 
-/// Of the normal distribution: 95 % lie below so many standard errors.
-constexpr double kQuantile95 = 1.6448536269514722;
-
 /// The estimated square error of a pixel's mean `now` of n samples, relative as in relMSE, `before` that of its first
 /// m.
 double relative_square_error(const float* before, const float* now, double m, double n) {
@@ -46,10 +43,6 @@ ErrorEstimate estimate_of(double sum, double squares, double pixels) {
 }
 
 }  // namespace
-
-double ErrorEstimate::bound() const {
-  return std::sqrt(rel_mse + kQuantile95 * standard_error);
-}
 
 ErrorMap::ErrorMap(int width, int height)
     : ErrorMap(width, height, std::vector<PixelError>(std::size_t{1} * width * height)) {}
