@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cli/scene_options.h"
-#include "preview/viewed_scene.h"
+#include "preview/camera_words.h"
 
 namespace vernier {
 

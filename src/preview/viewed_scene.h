@@ -2,21 +2,11 @@
 
 #include <string>
 
+#include "preview/camera_words.h"
 #include "render/pack_scene.h"
 #include "scene/scene.h"
 
 namespace vernier {
-
-/// A camera as the options of the command line say it; empty: not given. What the window looks through is always made
-/// from these, so that a picture's recipe has the camera to the last bit.
-struct CameraWords {
-  std::string camera;  ///< of the file, its name or index
-  std::string eye, target, up;
-  std::string fov;
-  std::string view_height;  ///< of an orthographic camera
-
-  bool operator==(const CameraWords&) const = default;
-};
 
 /// A scene in its light, packed for a device, and the camera it is first seen through.
 struct ViewedScene {
