@@ -11,6 +11,7 @@
 #include "effects/choose_effects.h"
 #include "effects/effect_names.h"
 #include "error.h"
+#include "render/develop.h"
 
 namespace vernier {
 namespace {
@@ -21,19 +22,15 @@ constexpr double kLeastErrorTarget = 1e-6;   // near the rounding of the floats 
 constexpr double kMostErrorTarget = 10.0;
 constexpr double kMaxTimeLimit_s = 31536000.0;  // a year
 
-constexpr std::array<const char*, 11> kAovs = {"depth",        "position",     "normal",    "shading_normal",
-                                               "uv",           "albedo",       "object_id", "material_id",
-                                               "primitive_id", "sample_count", "cost"};
-
 std::vector<std::string> parse_aovs(const std::string& list) {
   std::vector<std::string> aovs;
   std::istringstream names(list.empty() ? list : list + ",");
   std::string name;
   while (std::getline(names, name, ',')) {
-    if (std::ranges::find(kAovs, name) == kAovs.end()) {
+    if (std::ranges::find(aov_names(), name) == aov_names().end()) {
       std::string known;
-      for (const char* aov : kAovs) {
-        known += (known.empty() ? "" : ", ") + std::string(aov);
+      for (const std::string& aov : aov_names()) {
+        known += (known.empty() ? "" : ", ") + aov;
       }
       throw Error(ErrorKind::usage, "--aov: there is no `" + name + "`; there are " + known);
     }

@@ -19,6 +19,9 @@ float mean_of(const std::uint32_t* words, std::uint32_t samples) {
   return static_cast<float>(std::ldexp(sum, -static_cast<int>(FILM_FRACTION_BITS)) / samples);
 }
 
+constexpr const char* kSampleCount = "sample_count";
+constexpr const char* kCost = "cost";
+
 struct AovShape {
   const char* name;
   std::vector<std::string> channels;
@@ -110,13 +113,27 @@ DevelopedFilm develop(const std::vector<std::uint32_t>& sums, const PixelRect& a
   return film;
 }
 
+const std::vector<std::string>& aov_names() {
+  static const std::vector<std::string> all = [] {
+    std::vector<std::string> names;
+    for (const AovShape& shape : aov_shapes()) names.push_back(shape.name);
+    names.insert(names.end(), {kSampleCount, kCost});
+    return names;
+  }();
+  return all;
+}
+
+bool is_film_aov(std::string_view aov) {
+  return aov == kSampleCount || aov == kCost;
+}
+
 std::vector<Layer> aov_layers(const std::vector<std::string>& aovs, const std::vector<std::uint32_t>& words,
                               const DevelopedFilm& developed) {
   std::vector<Layer> layers;
   for (const std::string& name : aovs) {
-    if (name == "sample_count") {
+    if (name == kSampleCount) {
       layers.push_back({name, {"N"}, developed.sample_count});
-    } else if (name == "cost") {
+    } else if (name == kCost) {
       layers.push_back({name, {"rays", "nodes", "triangles"}, developed.cost});
     } else {
       layers.push_back(geometric_layer(name, words));

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "image/image.h"
@@ -26,7 +27,13 @@ struct DevelopedFilm {
 /// once to double and once to float.
 DevelopedFilm develop(const std::vector<std::uint32_t>& sums, const PixelRect& area);
 
-/// The layers named in `aovs` (cli.md's names) from read_aovs' words and the film's costs.
+/// Names of the layers that --aov may ask for: those at pixel centres first, then those of the film.
+const std::vector<std::string>& aov_names();
+
+/// Whether the layer `aov` is made of the film's sums, and not of what the pixel's centre shows.
+bool is_film_aov(std::string_view aov);
+
+/// The layers named in `aovs` from read_aovs' words and the film's costs.
 std::vector<Layer> aov_layers(const std::vector<std::string>& aovs, const std::vector<std::uint32_t>& words,
                               const DevelopedFilm& developed);
 

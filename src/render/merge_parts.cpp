@@ -209,8 +209,7 @@ void paste(const ImagePart& part, Canvas& canvas) {
 void develop_sums(const ImagePart& first, const std::vector<std::string>& aovs, Canvas& canvas) {
   DevelopedFilm developed = develop(canvas.sums, {0, 0, canvas.image.width, canvas.image.height});
   std::vector<std::string> summed;
-  std::ranges::copy_if(aovs, std::back_inserter(summed),
-                       [](const std::string& name) { return name == "sample_count" || name == "cost"; });
+  std::ranges::copy_if(aovs, std::back_inserter(summed), is_film_aov);
   std::vector<Layer> layers = aov_layers(summed, {}, developed);
   layers.push_back({"", {"R", "G", "B", "A"}, std::move(developed.color)});
   for (Layer& target : canvas.image.layers) {

@@ -8,8 +8,7 @@
 namespace vernier {
 
 bool wants_geometry(const RenderSettings& settings) {
-  return std::ranges::any_of(settings.aovs,
-                             [](const std::string& name) { return name != "cost" && name != "sample_count"; });
+  return !std::ranges::all_of(settings.aovs, is_film_aov);
 }
 
 ImageFile read_film(const Device& device, const Film& film, const RenderSettings& settings,
