@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <set>
 
+#include "render/setting_limits.h"
 #include "shared/accuracy.h"
 
 namespace vernier {
@@ -63,7 +64,7 @@ void add_targets(const CostPlanInput& input, std::vector<CostPoint>& points) {
     if (text == before) continue;
     before = text;
     RenderSettings settings = input.settings;
-    set_spp(settings, 65536);  // the most of a pixel that render takes with --error-target
+    set_spp(settings, kErrorTargetSpp);
     settings.error_target = std::stod(text);
     points.push_back(point_of("adaptive", "error target " + text, settings, "error-target", text));
   }

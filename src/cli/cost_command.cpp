@@ -202,10 +202,7 @@ void add_cost_command(CLI::App& app, Command& chosen) {
       .add_option("--reference", arguments->reference,
                   "image that counts as the truth (default: rendered, exact, twice as deep)")
       ->type_name("FILE");
-  command
-      .add_option("--size", arguments->render.size,
-                  "pixels, each side from 1 to 65536 (default: 256x144, with --quick 128x72)")
-      ->type_name("WxH");
+  add_size_option(command, arguments->render.size, "256x144, with --quick 128x72");
   command
       .add_option("--spp", arguments->render.spp,
                   "samples per pixel where other settings are compared; at least 2 (default: 16)")

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "error.h"
+#include "render/setting_limits.h"
 
 namespace vernier {
 namespace {

@@ -8,13 +8,6 @@
 
 namespace vernier {
 
-/// Widest and highest image, pixels.
-inline constexpr int kMaxSide_px = 65536;
-/// Most pixels one render holds at once: 2^28 of 16 bytes are 4 GiB on the host.
-inline constexpr std::int64_t kMaxPixels = std::int64_t{1} << 28;
-/// Most samples of a pixel: the film's sums hold so many of the largest (shaders/shared/film_layout.h).
-inline constexpr std::uint32_t kMaxSpp = 1u << 20;
-
 /// All functions here read the text of one option. They throw Error(usage) with one line
 /// `option: `text` is not ...` for anything else than what they describe: no spaces, no signs of a unit, no rest.
 

@@ -12,11 +12,11 @@
 #include "effects/effect_names.h"
 #include "error.h"
 #include "render/develop.h"
+#include "render/setting_limits.h"
 
 namespace vernier {
 namespace {
 
-constexpr std::uint32_t kMaxBounces = 1000;  // lossless mirrors go on for ever: bounds the work of cutoff 0
 constexpr double kMaxDispatch_ms = 60000.0;  // drivers reset a device that is busy for longer
 constexpr double kLeastErrorTarget = 1e-6;   // near the rounding of the floats in the file
 constexpr double kMostErrorTarget = 10.0;
@@ -93,11 +93,17 @@ void parse_limits(const RenderArguments& arguments, RenderSettings& settings) {
 
 std::string spp_text(const RenderArguments& arguments) {
   if (!arguments.spp.empty()) return arguments.spp;
-  return arguments.error_target.empty() ? "16" : "65536";
+  return arguments.error_target.empty() ? "16" : std::to_string(kErrorTargetSpp);
 }
 
 void add_size_option(CLI::App& app, std::string& size) {
-  app.add_option("--size", size, "pixels, each side from 1 to 65536 (default: " + size + ")")->type_name("WxH");
+  add_size_option(app, size, size);
+}
+
+void add_size_option(CLI::App& app, std::string& size, const std::string& default_size) {
+  const std::string largest = std::to_string(kMaxSide_px);
+  app.add_option("--size", size, "pixels, each side from 1 to " + largest + " (default: " + default_size + ")")
+      ->type_name("WxH");
 }
 
 void add_effects_option(CLI::App& app, std::string& effects) {
@@ -115,7 +121,9 @@ void add_accuracy_option(CLI::App& app, std::string& accuracy) {
 }
 
 void add_path_options(CLI::App& app, RenderArguments& arguments) {
-  app.add_option("--max-bounces", arguments.max_bounces, "depth of reflections and refractions, 0 to 1000 (default: 8)")
+  const std::string most = std::to_string(kMaxBounces);
+  app.add_option("--max-bounces", arguments.max_bounces,
+                 "depth of reflections and refractions, 0 to " + most + " (default: 8)")
       ->type_name("N");
   app.add_option("--cutoff", arguments.cutoff,
                  "a ray whose weight falls below W in [0, 1] is not traced; 0 never cuts (default: 1/1024)")
@@ -190,7 +198,8 @@ void add_render_options(CLI::App& app, RenderArguments& arguments) {
   app.add_option("--crop", arguments.crop,
                  "pixels of the full image; their bits equal those of the full render (default: the whole image)")
       ->type_name("X,Y,W,H");
-  add_sampling_options(app, arguments, "16; with --error-target the most of a pixel: 65536");
+  add_sampling_options(app, arguments,
+                       "16; with --error-target the most of a pixel: " + std::to_string(kErrorTargetSpp));
   app.add_option("--sample-range", arguments.sample_range,
                  "samples A to B-1 of each pixel, for merging (default: 0:spp)")
       ->type_name("A:B");

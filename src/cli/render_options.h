@@ -33,11 +33,14 @@ struct RenderArguments {
   std::string seed = "0";
 };
 
-/// The samples per pixel that are meant: 16 where none are given, with an error target the most a pixel gets, 65536.
+/// The samples per pixel that are meant: 16 where none are given, with an error target kErrorTargetSpp.
 std::string spp_text(const RenderArguments& arguments);
 
 /// Adds --size to `app`, with the default that `size` holds: what reference and explain share with render.
 void add_size_option(CLI::App& app, std::string& size);
+
+/// The same where the default is another: the help has `default_size` for it.
+void add_size_option(CLI::App& app, std::string& size, const std::string& default_size);
 
 /// Adds --spp, whose help says what its default is, --max-bounces, --cutoff and --seed.
 void add_sampling_options(CLI::App& app, RenderArguments& arguments, const std::string& default_spp = "16");

@@ -6,6 +6,7 @@
 
 #include "error.h"
 #include "preview/picture_limit.h"
+#include "render/setting_limits.h"
 
 namespace vernier {
 namespace {
@@ -48,7 +49,7 @@ Accuracy level_of(const ScriptEvent& event) {
 
 /// True where the name is one of the picture's settings.
 bool set_picture(const ScriptEvent& event, PanelState& state) {
-  constexpr std::uint32_t kMostSamples = 65536, kMostBounces = 1000;
+  constexpr std::uint32_t kMostSamples = 65536;
   const std::string& name = event.words[0];
   RenderSettings& settings = state.settings;
   if (name == "Size") {
@@ -59,7 +60,7 @@ bool set_picture(const ScriptEvent& event, PanelState& state) {
   } else if (name == "Samples") {
     settings.spp = settings.sample_end = count_of(event, 1, kMostSamples);
   } else if (name == "Bounces") {
-    settings.max_bounces = count_of(event, 0, kMostBounces);
+    settings.max_bounces = count_of(event, 0, kMaxBounces);
   } else if (name == "Accuracy") {
     settings.accuracy = level_of(event);
   } else if (name == "Tile") {

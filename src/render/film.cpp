@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "render/setting_limits.h"
 #include "shared/film_layout.h"
 
 namespace vernier {
@@ -14,7 +15,7 @@ constexpr std::uint64_t kLargestBandBytes = std::uint64_t{64} << 20;
 int rows_per_band(const Device& device, int width) {
   const std::uint64_t limit = std::min(device.description().max_storage_buffer_range_bytes, kLargestBandBytes);
   const std::uint64_t row_bytes = static_cast<std::uint64_t>(width) * std::max(FILM_WORDS, AOV_WORDS) * 4;
-  return static_cast<int>(std::clamp<std::uint64_t>(limit / row_bytes, 1, 65536));
+  return static_cast<int>(std::clamp<std::uint64_t>(limit / row_bytes, 1, kMaxSide_px));
 }
 
 std::vector<std::uint32_t> read_bands(const Device& device, const std::vector<Film::Band>& bands, std::size_t row_words,

@@ -17,6 +17,7 @@
 #include "image/file_metadata.h"
 #include "image/whole_file.h"
 #include "render/checksum.h"
+#include "render/setting_limits.h"
 #include "shared/film_layout.h"
 
 namespace vernier {
@@ -26,7 +27,6 @@ namespace fs = std::filesystem;
 
 /// Begins every file; the last character counts the layouts.
 constexpr std::string_view kMagic = "vernier-film--2\n";
-constexpr std::int32_t kLargestSide = 65536;  // of an image, as --size has it
 
 /// What stands before the recipe's text and the sums. No padding: every byte counts.
 struct FileHeader {
@@ -99,7 +99,7 @@ void check_header(const std::string& path, const FileHeader& header, std::uint64
     refuse(path, "is no checkpoint of this version");
   }
   const std::uint64_t rest = file_bytes - sizeof header;
-  const auto is_side = [](std::int32_t side) { return side >= 1 && side <= kLargestSide; };
+  const auto is_side = [](std::int32_t side) { return side >= 1 && side <= kMaxSide_px; };
   const bool sound = is_side(header.width) && is_side(header.height) && is_side(header.tile_width) &&
                      is_side(header.tile_height) && header.x >= 0 && header.y >= 0 && header.recipe_bytes <= rest;
   if (!sound) refuse(path, "is damaged");

@@ -9,12 +9,11 @@
 #include "error.h"
 #include "render/develop.h"
 #include "render/film_layer.h"
+#include "render/setting_limits.h"
 #include "shared/film_layout.h"
 
 namespace vernier {
 namespace {
-
-constexpr int kLargestSide = 65536;  // of an image, as --size has it
 
 [[noreturn]] void refuse(const std::string& name, const std::string& reason) {
   throw Error(ErrorKind::refused, name + ": " + reason);
@@ -39,8 +38,7 @@ void check_part(const ImagePart& part, const ImagePart& first, std::uint32_t spp
                           " pixels, " + first.name + " of " + std::to_string(first.image.full_width) + "x" +
                           std::to_string(first.image.full_height));
   }
-  if (image.full_width > kLargestSide || image.full_height > kLargestSide)
-    refuse(part.name, "is of too large an image");
+  if (image.full_width > kMaxSide_px || image.full_height > kMaxSide_px) refuse(part.name, "is of too large an image");
   if (image.x < 0 || image.y < 0 || image.width > image.full_width - image.x ||
       image.height > image.full_height - image.y) {
     refuse(part.name, "reaches beyond its full image");
