@@ -9,7 +9,6 @@
 #include "bvh/coarse.h"
 #include "bvh/decode_record.h"
 #include "bvh/quantize_node.h"
-#include "shared/bvh_record.h"
 
 namespace vernier {
 namespace {

@@ -2,8 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <initializer_list>
 #include <limits>
 #include <sstream>
 

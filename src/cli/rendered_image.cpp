@@ -19,7 +19,6 @@
 #include "image/codec_module.h"
 #include "render/film_file.h"
 #include "render/form_file.h"
-#include "render/gpu_scene.h"
 #include "render/memory_need.h"
 #include "render/pack_scene.h"
 #include "render/pipeline_file.h"

@@ -7,7 +7,6 @@
 #include "cli/rendered_image.h"
 #include "image/write_image.h"
 #include "preview/camera_words.h"
-#include "render/gpu_scene.h"
 #include "render/trace_pipeline.h"
 
 namespace vernier {

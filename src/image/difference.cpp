@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "error.h"
 #include "image/check_pair.h"
 
 namespace vernier {

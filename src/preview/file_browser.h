@@ -14,7 +14,6 @@ class FileBrowser {
  public:
   /// Shows itself from the next frame on, at the folder it was closed at.
   void open();
-  bool is_open() const { return open_; }
   /// Scenes opened before, the last one first.
   void set_recent(std::vector<std::string> files) { recent_ = std::move(files); }
   /// Begins at the folder of `file`.

@@ -9,7 +9,6 @@
 #include "effects/detect_effects.h"
 #include "math/elapsed.h"
 #include "render/develop.h"
-#include "render/read_film.h"
 #include "scene/frame_scene.h"
 #include "shared/film_layout.h"
 

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <fstream>
 
-#include "error.h"
 #include "image/whole_file.h"
 #include "render/pipeline_file.h"
 #include "render/plan_instances.h"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "scene/frame_scene.h"
 #include "shared/render_constants.h"
 
 namespace vernier {

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "shared/film_layout.h"
-
 namespace vernier {
 namespace {
 

@@ -1,6 +1,5 @@
 #include <utility>
 
-#include "error.h"
 #include "scene/gltf_cameras.h"
 #include "scene/gltf_document.h"
 #include "scene/gltf_draco.h"

@@ -9,7 +9,6 @@
 #include "bvh/build_bvh.h"
 #include "bvh/decode_record.h"
 #include "bvh/triangle_record.h"
-#include "render/pack_materials.h"
 #include "shared/bindings.h"
 #include "shared/specialization_ids.h"
 #include "spirv/verify_rays_queries.h"
