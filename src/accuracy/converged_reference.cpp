@@ -8,6 +8,7 @@
 #include "error.h"
 #include "image/difference.h"
 #include "math/elapsed.h"
+#include "render/setting_limits.h"
 #include "render/timed_trace.h"
 
 namespace vernier {
@@ -47,8 +48,7 @@ class PictureSum {
 RenderSettings reference_settings(const RenderSettings& settings) {
   RenderSettings part = settings;
   part.accuracy = Accuracy::exact;
-  constexpr std::uint32_t kMostBounces = 1000;  // of --max-bounces
-  part.max_bounces = std::min(2 * settings.max_bounces, kMostBounces);
+  part.max_bounces = std::min(2 * settings.max_bounces, kMaxBounces);
   part.cutoff = settings.cutoff / 16.0f;
   part.sample_begin = 0;
   part.sample_end = part.spp = kPartSpp;

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "effects/choose_effects.h"
+#include "effects/effect_set.h"
 #include "render/render_settings.h"
 
 namespace vernier {

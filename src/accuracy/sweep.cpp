@@ -7,7 +7,7 @@
 #include <memory>
 #include <tuple>
 
-#include "effects/detect_effects.h"
+#include "effects/choose_effects.h"
 #include "error.h"
 #include "math/elapsed.h"
 #include "render/timed_trace.h"
