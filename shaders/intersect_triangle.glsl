@@ -15,7 +15,7 @@ struct ShearedRay {
   vec3 shear;     // (dx / dz, dy / dz, 1 / dz)
   float nearest;  // corners nearer than that, in units of t, may lie behind by the rounding of the origin
   vec2 inverse;   // 1 / the two smaller components, bounded
-  vec2 endless;   // added to where the ray leaves a slab: the largest float if it runs along it, else 0
+  vec2 endless;   // added to where the ray leaves a slab: beyond all that is hit if it runs along it, else 0
 };
 
 // Where a ray crosses a triangle, before that is judged.
@@ -50,7 +50,8 @@ ShearedRay sheared_ray(IN(Ray) ray) {
   frame.shear = vec3(d.x / d.z, d.y / d.z, 1.0f / d.z);
   frame.nearest = gamma_bound(ORIGIN_ROUNDINGS) * max3(abs(ray.origin)) * abs(frame.shear.z);
   frame.inverse = vec2(bounded_inverse(d.x), bounded_inverse(d.y));
-  frame.endless = vec2(abs(d.x) < LEAST_COMPONENT ? LARGEST_FLOAT : 0.0f, abs(d.y) < LEAST_COMPONENT ? LARGEST_FLOAT : 0.0f);
+  const float beyond = 0.5f * LARGEST_FLOAT;  // with its rounding outwards still a number
+  frame.endless = vec2(abs(d.x) < LEAST_COMPONENT ? beyond : 0.0f, abs(d.y) < LEAST_COMPONENT ? beyond : 0.0f);
   return frame;
 }
 
@@ -193,7 +194,7 @@ Crossing watertight_crossing(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(ve
   precise float det = edges.x + edges.y + edges.z;
   float nearest = smaller(smaller(p0.z, p1.z), p2.z);
   float farthest = larger(larger(p0.z, p1.z), p2.z);
-  float depth = edges.x * p0.z + edges.y * p1.z + edges.z * p2.z;
+  precise float depth = edges.x * p0.z + edges.y * p1.z + edges.z * p2.z;
   bool weighed_ahead = (det < 0.0f ? -depth : depth) > 0.5f * farthest * abs(det);
   PlaneCrossing plane = plane_crossing(ray, v0, v1, v2, nearest, farthest, weighed_ahead);
   return Crossing(is_inside(edges, p0, p1, p2) && det != 0.0f, plane.t, plane.in_front);
@@ -227,9 +228,10 @@ vec3 crossing_weights(IN(Ray) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2) {
 
 // Whether the ray crosses the triangle at (t, triangle) after (t_min, after_triangle) and before `hit`, in the order of
 // hits; then `hit` is replaced. False for a miss, zero area or any NaN. after_triangle matters at t = t_min alone; NONE lets
-// nothing at t_min itself pass.
-bool intersect_triangle(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2, IN(uint) triangle, IN(uint) record,
-                        IN(float) t_min, IN(uint) after_triangle, INOUT(Hit) hit) {
+// nothing at t_min itself pass. False, too, unless `asked`: corners of a record that is no triangle may be no numbers, and
+// compilers may take it that there are none such.
+bool intersect_if(IN(bool) asked, IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2, IN(uint) triangle, IN(uint) record,
+                  IN(float) t_min, IN(uint) after_triangle, INOUT(Hit) hit) {
   Crossing crossing;
   if (level_at(SPOT_TRIANGLE) == LEVEL_FAST) {
     vec3 plain = plain_crossing(Ray(ray.origin, ray.direction), v0, v1, v2);
@@ -242,11 +244,17 @@ bool intersect_triangle(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v
   bool tie_counts = t == t_min && !mutated(MUTATION_TIES_SKIPPED);
   bool after = t > t_min || (tie_counts && triangle > after_triangle && after_triangle != NONE);
   bool before = t < hit.t || (t == hit.t && triangle < hit.triangle);
-  bool accepted = crossing.inside && after && before && crossing.in_front;
+  bool accepted = asked && crossing.inside && after && before && crossing.in_front;
   hit.t = accepted ? t : hit.t;
   hit.triangle = accepted ? triangle : hit.triangle;
   hit.record = accepted ? record : hit.record;
   return accepted;
+}
+
+// The same of what is a triangle.
+bool intersect_triangle(IN(ShearedRay) ray, IN(vec3) v0, IN(vec3) v1, IN(vec3) v2, IN(uint) triangle, IN(uint) record,
+                        IN(float) t_min, IN(uint) after_triangle, INOUT(Hit) hit) {
+  return intersect_if(true, ray, v0, v1, v2, triangle, record, t_min, after_triangle, hit);
 }
 
 #endif

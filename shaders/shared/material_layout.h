@@ -47,7 +47,7 @@ struct DeviceLight {
   vec3 position;  // units
   uint kind;
   vec3 direction;
-  float range;    // units; +inf
+  float range;    // units; the largest float
   vec3 intensity;  // candela / metres_per_unit^2, so that intensity / distance^2 in units is lux; directional: lux
   float cos_outer;
   float cone_scale;  // 1 / max(cos_inner - cos_outer, 1/1024)

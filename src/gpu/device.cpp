@@ -166,6 +166,11 @@ DeviceDescription describe(const vk::raii::PhysicalDevice& physical, int index) 
     out.no_ray_query_reason = describe_ray_queries(physical, out);
     out.ray_query = out.no_ray_query_reason.empty();
   }
+  constexpr std::uint32_t kStorageBuffers = 16;  // the trace kernel binds 15
+  if (out.unusable_reason.empty() && out.max_storage_buffers < kStorageBuffers) {
+    out.unusable_reason = std::to_string(out.max_storage_buffers) + " storage buffers for a shader, " +
+                          std::to_string(kStorageBuffers) + " are needed";
+  }
   const std::optional<std::uint32_t> family = compute_queue_family(physical);
   if (family) {
     out.timestamps = physical.getQueueFamilyProperties()[*family].timestampValidBits > 0;

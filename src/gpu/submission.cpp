@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 #include "error.h"
@@ -64,6 +65,40 @@ void record(const vk::raii::CommandBuffer& commands, const Dispatch& dispatch) {
   commands.dispatch(dispatch.group_count_x, dispatch.group_count_y, dispatch.group_count_z);
 }
 
+void record(const vk::raii::CommandBuffer& commands, const std::vector<Upload>& uploads) {
+  for (const Upload& upload : uploads) {
+    commands.updateBuffer<std::byte>(*upload.buffer->vk(), 0, upload.bytes);
+  }
+  if (uploads.empty()) return;
+  memory_barrier(commands, Stage::eTransfer, Access::eTransferWrite, Stage::eComputeShader,
+                 Access::eShaderRead | Access::eShaderWrite | Access::eUniformRead);
+}
+
+void record(const vk::raii::CommandBuffer& commands, const std::vector<Download>& downloads, const Buffer& target) {
+  if (downloads.empty()) return;
+  memory_barrier(commands, Stage::eComputeShader, Access::eShaderWrite, Stage::eTransfer, Access::eTransferRead);
+  std::uint64_t offset = 0;
+  for (const Download& download : downloads) {
+    commands.copyBuffer(*download.buffer->vk(), *target.vk(), vk::BufferCopy(0, offset, download.bytes.size()));
+    offset += download.bytes.size();
+  }
+}
+
+/// The same once it is there.
+void take(const std::vector<Download>& downloads, const Buffer& source) {
+  std::uint64_t offset = 0;
+  for (const Download& download : downloads) {
+    std::memcpy(download.bytes.data(), source.mapped().data() + offset, download.bytes.size());
+    offset += download.bytes.size();
+  }
+}
+
+std::uint64_t size_of(const std::vector<Download>& downloads) {
+  std::uint64_t bytes = 0;
+  for (const Download& download : downloads) bytes += download.bytes.size();
+  return bytes;
+}
+
 bool wait(const Device& device, const vk::raii::Fence& fence, double seconds) {
   const double limit_ns = std::max(seconds, 0.0) * 1e9;
   const std::uint64_t wait_ns =
@@ -106,8 +141,12 @@ Submitter::Submitter(const Device& device) : device_(&device) {
   });
 }
 
-SubmissionTime Submitter::run(std::span<const Dispatch> dispatches, double timeout_s) {
+SubmissionTime Submitter::run(std::span<const Dispatch> dispatches, const Exchange& exchange, double timeout_s) {
   if (lost_) throw_lost(*device_, timeout_s);
+  const std::uint64_t downloaded_bytes = size_of(exchange.downloads);
+  if (downloaded_bytes > downloaded_.size_bytes()) {
+    downloaded_ = Buffer(*device_, downloaded_bytes, BufferUse::storage_host_visible);
+  }
   const bool timed = device_->description().timestamps;
   const auto start = std::chrono::steady_clock::now();
   vk_check("running shaders", [&] {
@@ -115,12 +154,14 @@ SubmissionTime Submitter::run(std::span<const Dispatch> dispatches, double timeo
     commands_.begin({vk::CommandBufferUsageFlagBits::eOneTimeSubmit});
     if (timed) commands_.resetQueryPool(*queries_, 0, kTimestampCount);
     barrier_from_before(commands_);
+    record(commands_, exchange.uploads);
     if (timed) commands_.writeTimestamp(Stage::eTopOfPipe, *queries_, 0);
     for (const Dispatch& dispatch : dispatches) {
       if (&dispatch != dispatches.data()) barrier_between_dispatches(commands_);
       record(commands_, dispatch);
     }
     if (timed) commands_.writeTimestamp(Stage::eBottomOfPipe, *queries_, 1);
+    record(commands_, exchange.downloads, downloaded_);
     barrier_to_host(commands_);
     commands_.end();
     device_->vk().resetFences(*fence_);
@@ -132,6 +173,7 @@ SubmissionTime Submitter::run(std::span<const Dispatch> dispatches, double timeo
       throw_lost(*device_, timeout_s);
     }
   });
+  take(exchange.downloads, downloaded_);
   const double wall_ms = ms_since(start);
   return {timed ? vk_check("reading timestamps", [&] { return measured_ms(*device_, queries_); }) : wall_ms, wall_ms};
 }

@@ -7,6 +7,7 @@
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
+#include "gpu/buffer.h"
 #include "gpu/compute_pipeline.h"
 
 namespace vernier {
@@ -19,6 +20,26 @@ struct Dispatch {
   std::uint32_t group_count_x = 1;
   std::uint32_t group_count_y = 1;
   std::uint32_t group_count_z = 1;
+};
+
+/// What the host puts into a buffer on the device before the dispatches of a submission: from its start on, a multiple
+/// of 4 and at most 65536 bytes.
+struct Upload {
+  const Buffer* buffer = nullptr;
+  std::span<const std::byte> bytes;
+};
+
+/// What it takes from the start of one behind them: a multiple of 4 bytes.
+struct Download {
+  const Buffer* buffer = nullptr;
+  std::span<std::byte> bytes;
+};
+
+/// What goes with the dispatches of a submission. Kernels read and count in the device's own memory that way: over the
+/// bus of a graphics card each addition to a counter would take longer than a ray.
+struct Exchange {
+  std::vector<Upload> uploads;
+  std::vector<Download> downloads;
 };
 
 /// What a finished submission took.
@@ -36,11 +57,11 @@ class Submitter {
   Submitter(Submitter&&) = default;
   Submitter& operator=(Submitter&&) = delete;
 
-  /// Runs `dispatches` in order, each seeing what the one before wrote, and the host what all wrote. Waits with a limit
-  /// of `timeout_s` (0 asks once); a device that does not answer by then counts as lost. Throws Error(device_lost) on
-  /// loss and from then on; a device on the CPU is first awaited to its end, for its threads still write to the
-  /// buffers. Nothing to dispatch is allowed and takes almost no time.
-  SubmissionTime run(std::span<const Dispatch> dispatches, double timeout_s = 120.0);
+  /// Runs `dispatches` in order, each seeing what the one before wrote, and the host what all wrote; the exchange is
+  /// not in device_ms. Waits with a limit of `timeout_s` (0 asks once); a device that does not answer by then counts as
+  /// lost. Throws Error(device_lost) on loss and from then on; a device on the CPU is first awaited to its end, for its
+  /// threads still write to the buffers. Nothing to dispatch is allowed and takes almost no time.
+  SubmissionTime run(std::span<const Dispatch> dispatches, const Exchange& exchange = {}, double timeout_s = 120.0);
 
  private:
   const Device* device_ = nullptr;
@@ -48,6 +69,7 @@ class Submitter {
   vk::raii::CommandBuffer commands_{nullptr};
   vk::raii::Fence fence_{nullptr};
   vk::raii::QueryPool queries_{nullptr};
+  Buffer downloaded_;  ///< for the host, as large as the largest exchange so far
   bool lost_ = false;
 };
 

@@ -162,6 +162,10 @@ void Presenter::record(const ShownPicture& picture, std::uint32_t index,
 
 void Presenter::record_picture(const ShownPicture& picture, vk::Image target) {
   const vk::Extent3D extent(static_cast<std::uint32_t>(picture.size.x), static_cast<std::uint32_t>(picture.size.y), 1);
+  // A shader of another submission wrote the words.
+  commands_.pipelineBarrier(vk::PipelineStageFlagBits::eComputeShader, kTransfer, {},
+                            vk::MemoryBarrier(vk::AccessFlagBits::eShaderWrite, vk::AccessFlagBits::eTransferRead),
+                            nullptr, nullptr);
   transition(commands_, *picture_,
              {vk::ImageLayout::eUndefined, vk::ImageLayout::eTransferDstOptimal, kRead, kWrite, kTransfer, kTransfer});
   commands_.copyBufferToImage(*picture.words->vk(), *picture_, vk::ImageLayout::eTransferDstOptimal,
@@ -185,7 +189,8 @@ void Presenter::record_capture(vk::Image target) {
   captured_ = Buffer(device_, std::uint64_t{4} * captured_extent_.width * captured_extent_.height,
                      BufferUse::storage_host_visible);
   capture_wanted_ = false;
-  const vk::PipelineStageFlags drawn = vk::PipelineStageFlagBits::eColorAttachmentOutput;
+  // The render pass ends with a transition of its own, behind all of its stages.
+  const vk::PipelineStageFlags drawn = vk::PipelineStageFlagBits::eAllCommands;
   transition(commands_, target,
              {vk::ImageLayout::ePresentSrcKHR, vk::ImageLayout::eTransferSrcOptimal,
               vk::AccessFlagBits::eColorAttachmentWrite, kRead, drawn, kTransfer});

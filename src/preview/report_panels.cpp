@@ -65,7 +65,9 @@ void draw_scene_section(const ViewSession& session, PanelState& state, PanelActi
   quiet_text(byte_text(session.device_bytes()) + " on the device, " + byte_text(resident_bytes()) +
              " of memory; read in " + format_text("%.2f s", session.viewed().load_ms / 1000.0));
   for (std::size_t index = 0; index < scene.cameras.size(); ++index) {
-    if (ImGui::Selectable((camera_text(scene, index) + "##" + std::to_string(index)).c_str(), false))
+    // Until it is moved.
+    const bool is_looked_through = session.camera().world_from_camera == scene.cameras[index].world_from_camera;
+    if (ImGui::Selectable((camera_text(scene, index) + "##" + std::to_string(index)).c_str(), is_looked_through))
       actions.camera = index;
     note_place(state.places, "Camera " + std::to_string(index + 1));
   }

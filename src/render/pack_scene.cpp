@@ -63,7 +63,8 @@ DeviceLight device_light(const Light& light, const TracedSpace& space) {
   device.kind = static_cast<std::uint32_t>(light.kind);
   device.position = glm::vec3(traced_from_world(space, light.position));
   device.direction = glm::vec3(light.direction);
-  device.range = static_cast<float>(light.range / space.metres_per_unit);
+  // Compilers of shaders may take it that nothing is infinite.
+  device.range = std::min(static_cast<float>(light.range / space.metres_per_unit), std::numeric_limits<float>::max());
   const bool directional = light.kind == LightKind::directional;
   const double scale = directional ? 1.0 : 1.0 / (space.metres_per_unit * space.metres_per_unit);
   device.intensity = glm::vec3(glm::dvec3(light.intensity) * scale);

@@ -1,6 +1,6 @@
 #include "render/tile_dispatch.h"
 
-#include <cstring>
+#include <span>
 
 #include "shared/film_layout.h"
 
@@ -35,11 +35,11 @@ Dispatch tile_dispatch(const ComputePipeline& pipeline, const BindingSet& bindin
 }
 
 Buffer dispatch_buffer(const Device& device) {
-  return Buffer(device, sizeof(DispatchConstants), BufferUse::storage_host_visible);
+  return Buffer(device, sizeof(DispatchConstants), BufferUse::storage);
 }
 
-void set_dispatch(Buffer& buffer, const DispatchConstants& constants) {
-  std::memcpy(buffer.mapped().data(), &constants, sizeof(constants));
+Upload upload_of(const Buffer& buffer, const DispatchConstants& constants) {
+  return {&buffer, std::as_bytes(std::span(&constants, 1))};
 }
 
 }  // namespace vernier

@@ -8,8 +8,11 @@
 
 namespace vernier {
 
-/// Pixels of a tile's side: its samples stay in the caches of a CPU and fill a GPU.
-constexpr int kTile = 256;
+/// Pixels of a tile's side: on a CPU its samples stay in the caches; of a GPU's many invocations each gets several
+/// paths, so that none waits long for the longest.
+constexpr int tile_side(bool is_cpu) {
+  return is_cpu ? 256 : 1024;
+}
 
 /// Blocks of JOB_BLOCK_SIDE that `pixels` in a row fill; incomplete ones count as whole.
 std::uint32_t blocks_of(int pixels);
@@ -24,7 +27,7 @@ Dispatch tile_dispatch(const ComputePipeline& pipeline, const BindingSet& bindin
 /// A buffer for what changes from dispatch to dispatch (render_constants.h says why not push constants).
 Buffer dispatch_buffer(const Device& device);
 
-/// Puts `constants` into `buffer`, which dispatch_buffer made; between submissions only.
-void set_dispatch(Buffer& buffer, const DispatchConstants& constants);
+/// Puts `constants`, which stay where they are until then, into `buffer`, which dispatch_buffer made.
+Upload upload_of(const Buffer& buffer, const DispatchConstants& constants);
 
 }  // namespace vernier

@@ -37,8 +37,8 @@ std::uint64_t bytes_per_sample(bool count_cost) {
 }
 
 /// What the settings ask for, but no larger than the image, and small enough for one sample of each of its pixels.
-glm::ivec2 chosen_tile(const RenderSettings& settings, const PixelRect& area, std::uint64_t sample_bytes) {
-  glm::ivec2 tile = settings.tile.x > 0 ? settings.tile : glm::ivec2(kTile);
+glm::ivec2 chosen_tile(const RenderSettings& settings, int side, const PixelRect& area, std::uint64_t sample_bytes) {
+  glm::ivec2 tile = settings.tile.x > 0 ? settings.tile : glm::ivec2(side);
   tile = glm::min(tile, glm::ivec2(area.width, area.height));
   while (jobs_per_sample(tile) * sample_bytes > kSampleBytes) (tile.x > tile.y ? tile.x : tile.y) /= 2;
   return tile;
@@ -62,8 +62,13 @@ std::uint64_t path_bytes(std::uint32_t invocations, std::uint32_t path_stack) {
   return std::uint64_t{invocations} * PATH_BLOCKS(path_stack) * 16;
 }
 
-std::uint32_t invocation_count(const DeviceDescription& device) {
-  return device.is_cpu ? kCpuInvocationsPerThread * std::max(std::thread::hardware_concurrency(), 1u) : kGpuInvocations;
+/// As many as suit the device, but no more than its largest buffer has room for their paths.
+std::uint32_t invocation_count(const DeviceDescription& device, std::uint32_t path_stack) {
+  const std::uint32_t threads = std::max(std::thread::hardware_concurrency(), 1u);
+  const std::uint32_t wanted = device.is_cpu ? kCpuInvocationsPerThread * threads : kGpuInvocations;
+  const std::uint64_t most = std::min(device.max_storage_buffer_range_bytes, device.max_allocation_bytes);
+  const std::uint64_t groups = most / path_bytes(kWorkgroup, path_stack);
+  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(groups, 1, wanted / kWorkgroup)) * kWorkgroup;
 }
 
 }  // namespace
@@ -73,13 +78,14 @@ TileTracer::TileTracer(const Device& device, const GpuScene& scene, SceneLoads l
     : scene_(scene),
       submitter_(device),
       sample_bytes_(bytes_per_sample(specialization.count_cost)),
-      tile_(chosen_tile(settings, film.area(), sample_bytes_)),
+      tile_side_(tile_side(device.description().is_cpu)),
+      tile_(chosen_tile(settings, tile_side_, film.area(), sample_bytes_)),
       most_samples_(samples_per_pass(settings, tile_, sample_bytes_)),
       wanted_ms_(settings.dispatch_ms),
-      invocations_(invocation_count(device.description())),
+      invocations_(invocation_count(device.description(), specialization.path_stack)),
       film_(film),
       counters_(device, (specialization.count_effects ? COUNTER_COUNT_WITH_RUNS : COUNTER_COUNT) * 4,
-                BufferUse::storage_host_visible),
+                BufferUse::storage),
       paths_(device, path_bytes(invocations_, specialization.path_stack), BufferUse::storage),
       samples_(device, pass_bytes(settings, tile_, sample_bytes_), stored_use(film_loads(device.description()))),
       pixels_(device, specialization.listed_pixels ? std::uint64_t{4} * tile_.x * tile_.y : 0,
@@ -180,7 +186,6 @@ bool TileTracer::run_jobs(DispatchConstants constants, std::uint64_t jobs, const
     constants.job_end = counts[COUNTER_NEXT_JOB] + static_cast<std::uint32_t>(taken);
     constants.search_budget = choose_search_budget(kBudgetShare * wanted_ms_, ms_per_search_, invocations);
     constants.search_limit = search_limit(constants.search_budget);
-    set_dispatch(dispatch_, constants);
     run(taken < left ? std::vector{trace} : std::vector{trace, accumulate}, constants, counts);
     constants.resume = 1;
   } while (counts[COUNTER_UNFINISHED] > 0 || counts[COUNTER_NEXT_JOB] < jobs);
@@ -191,7 +196,8 @@ bool TileTracer::run_jobs(DispatchConstants constants, std::uint64_t jobs, const
 void TileTracer::note_saved(const RenderSettings& settings) {
   const std::uint32_t full_stack = waiting_rays(~0u, settings.max_bounces);
   const std::uint64_t with_cost = bytes_per_sample(true);
-  const std::uint64_t full_pass = pass_bytes(settings, chosen_tile(settings, film_.area(), with_cost), with_cost);
+  const std::uint64_t full_pass =
+      pass_bytes(settings, chosen_tile(settings, tile_side_, film_.area(), with_cost), with_cost);
   statistics_.saved.path_stack_bytes = path_bytes(invocations_, full_stack) - paths_.size_bytes();
   statistics_.saved.sample_cost_bytes = full_pass - std::min(full_pass, samples_.size_bytes());
 }
@@ -199,24 +205,25 @@ void TileTracer::note_saved(const RenderSettings& settings) {
 /// Dispatches both kernels on no job: llvmpipe compiles at the first dispatch, for up to a second. Returns the time.
 double TileTracer::warm_up() {
   const PixelRect nothing{film_.area().x, film_.area().y, 0, 0};
-  set_dispatch(dispatch_, tile_constants(scene_, nothing, film_.area(), film_.bands().front()));
+  const DispatchConstants constants = tile_constants(scene_, nothing, film_.area(), film_.bands().front());
   const Dispatch trace{.pipeline = &trace_, .bindings = &trace_bindings_, .push_constants = {}};
   const Dispatch accumulate{.pipeline = &accumulate_, .bindings = &accumulate_bindings_.front(), .push_constants = {}};
-  return submitter_.run(std::array{trace, accumulate}).wall_ms;
+  return submitter_.run(std::array{trace, accumulate}, {{upload_of(dispatch_, constants)}, {}}).wall_ms;
 }
 
 /// Runs `dispatches`, of which the first traces, and books what it did. `counts`: of the dispatch before, replaced by
 /// its own.
 void TileTracer::run(std::span<const Dispatch> dispatches, const DispatchConstants& constants,
                      std::uint32_t (&counts)[COUNTER_COUNT]) {
-  std::fill(counts, counts + COUNTER_NEXT_JOB, 0u);
-  std::ranges::fill(counters_.mapped(), std::byte{0});
-  std::memcpy(counters_.mapped().data(), counts, sizeof(counts));
-  const SubmissionTime time = submitter_.run(dispatches);
-  std::memcpy(counts, counters_.mapped().data(), sizeof(counts));
+  std::vector<std::uint32_t> counters(counters_.size_bytes() / sizeof(std::uint32_t));
+  counters[COUNTER_NEXT_JOB] = counts[COUNTER_NEXT_JOB];
+  const auto bytes = std::as_writable_bytes(std::span(counters));
+  const SubmissionTime time =
+      submitter_.run(dispatches, {{upload_of(dispatch_, constants), {&counters_, bytes}}, {{&counters_, bytes}}});
+  std::copy_n(counters.begin(), COUNTER_COUNT, counts);
   // Whoever asked in vain counted too.
   counts[COUNTER_NEXT_JOB] = std::min(counts[COUNTER_NEXT_JOB], constants.job_end);
-  add_effect_runs(counters_.mapped().subspan(sizeof(counts)), statistics_.effect_runs);
+  add_effect_runs(bytes.subspan(sizeof(counts)), statistics_.effect_runs);
   statistics_.device_ms += time.device_ms;
   statistics_.rays.primary += counts[COUNTER_PRIMARY];
   statistics_.rays.shadow += counts[COUNTER_SHADOW];

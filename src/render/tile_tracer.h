@@ -59,6 +59,7 @@ class TileTracer {
   const GpuScene& scene_;
   Submitter submitter_;
   std::uint64_t sample_bytes_;
+  int tile_side_;  ///< unless the settings say another
   glm::ivec2 tile_;
   std::uint32_t most_samples_;
   double wanted_ms_;

@@ -13,6 +13,7 @@ AovTracer::AovTracer(const Device& device, const GpuScene& scene, SceneLoads loa
     : scene_(scene),
       film_(film),
       submitter_(device),
+      tile_side_(tile_side(device.description().is_cpu)),
       unused_(device, 0, BufferUse::storage),
       dispatch_values_(dispatch_buffer(device)) {
   for (Film::Band& band : film.bands()) {
@@ -35,10 +36,10 @@ void AovTracer::trace(const PixelRect& area) {
     const int row_count = std::min(band.row_count, area.height - band.first_row);
     if (row_count <= 0) return;
     const PixelRect rows{area.x, area.y + band.first_row, area.width, row_count};
-    for (const PixelRect& tile : schedule_tiles(rows, glm::ivec2(kTile), rows.height)) {
-      set_dispatch(dispatch_values_, tile_constants(scene_, tile, film_.area(), band));
+    for (const PixelRect& tile : schedule_tiles(rows, glm::ivec2(tile_side_), rows.height)) {
+      const DispatchConstants constants = tile_constants(scene_, tile, film_.area(), band);
       const Dispatch dispatch = tile_dispatch(pipeline_, bindings_[index], tile);
-      submitter_.run(std::span(&dispatch, 1));
+      submitter_.run(std::span(&dispatch, 1), {{upload_of(dispatch_values_, constants)}, {}});
     }
   }
 }

@@ -25,6 +25,7 @@ class AovTracer {
   const GpuScene& scene_;
   Film& film_;
   Submitter submitter_;
+  int tile_side_;
   Buffer unused_, dispatch_values_;
   ComputePipeline pipeline_;
   std::vector<BindingSet> bindings_;  // of each band

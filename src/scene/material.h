@@ -50,10 +50,11 @@ struct Material {
   float alpha_cutoff = 0.5f;
   float normal_scale = 1.0f;
   float occlusion_strength = 1.0f;
-  bool double_sided = false;        ///< kept for reports: both sides are always traced
-  bool unlit = false;               ///< show base_color as it is
-  bool thin_walled = true;          ///< transmission goes straight through (no KHR_materials_volume thickness)
-  bool fresnel_reflection = false;  ///< blinn mirrors: Schlick from `reflection` to white at grazing (illum 5, 7)
+  bool double_sided = false;  ///< kept for reports: both sides are always traced
+  bool unlit = false;         ///< show base_color as it is
+  bool thin_walled = true;    ///< transmission goes straight through (no KHR_materials_volume thickness)
+  /// blinn (illum 4, 5, 7, 9): mirrors by Schlick from `reflection` to white at grazing, glass by Fresnel's terms
+  bool fresnel_reflection = false;
   std::array<TextureUse, TEXTURE_SLOT_COUNT> textures;  ///< by TEXTURE_SLOT_*
 };
 

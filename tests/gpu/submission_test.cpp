@@ -93,6 +93,26 @@ TEST_F(SubmissionTest, a_chain_through_two_buffers_keeps_its_order) {
   EXPECT_EQ(words, Words(64, 59049)) << "3^10";
 }
 
+TEST_F(SubmissionTest, the_host_puts_words_before_dispatches_and_takes_them_behind) {
+  Buffer from(device(), 64 * 4, BufferUse::storage);
+  Buffer to(device(), 64 * 4, BufferUse::storage);
+  const std::array<Binding, 2> bindings{Binding{0, &from}, Binding{4, &to}};
+  const SpecializationValue factor{0, 3};
+  const ComputePipeline pipeline(device(), kCopyWordsSpirv, bindings, 8, {&factor, 1});
+  const BindingSet set(device(), pipeline, bindings);
+  const Dispatch triple{&pipeline, &set, bytes_of(std::array<std::uint32_t, 2>{64, 0}), 1, 1, 1};
+  Submitter submitter(device());
+  for (const std::uint32_t value : {5u, 7u}) {
+    const Words put(64, value);
+    Words head(8), all(64);
+    submitter.run({&triple, 1},
+                  {{{&from, std::as_bytes(std::span(put))}},
+                   {{&from, std::as_writable_bytes(std::span(head))}, {&to, std::as_writable_bytes(std::span(all))}}});
+    EXPECT_EQ(head, Words(8, value));
+    EXPECT_EQ(all, Words(64, 3 * value));
+  }
+}
+
 TEST_F(SubmissionTest, nothing_to_dispatch_is_allowed) {
   const SubmissionTime time = Submitter(device()).run({});
   EXPECT_GE(time.device_ms, 0.0);
@@ -116,7 +136,7 @@ TEST_F(SubmissionTest, no_answer_in_time_counts_as_loss_for_good) {
   const Dispatch little = spin(1);
   for (const Dispatch& dispatch : {much, little}) {
     try {
-      submitter.run({&dispatch, 1}, 0.0);
+      submitter.run({&dispatch, 1}, {}, 0.0);
       ADD_FAILURE() << "answered at once";
     } catch (const Error& error) {
       EXPECT_EQ(error.kind(), ErrorKind::device_lost);
