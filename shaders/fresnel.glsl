@@ -91,7 +91,8 @@ float dielectric_f0(IN(float) ior) {
 // Whether nothing goes through.
 bool is_total(IN(Fresnel) fresnel) { return fresnel.reflected >= 1.0f && fresnel.transmitted == 0.0f; }
 
-// What Fresnel's terms let through at normal incidence, to divide by: above 0 where the index is beyond all floats, too.
+// What Fresnel's terms let through at normal incidence, to divide by: where the index is so large that the reflectance is rounded to
+// 1, as much as that rounding may have taken, 2^-24.
 float passed_at_normal(IN(float) ior) { return max(1.0f - dielectric_f0(ior), 5.9604644775390625e-8f); }
 
 // A reflectance that is `normal` at normal incidence and `grazing` at grazing, between them as Fresnel's terms of index `ior` run;

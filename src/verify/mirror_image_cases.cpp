@@ -152,10 +152,10 @@ std::optional<double> corner_mark(const PixelRay& ray) {
 
 CaseResult run_corner_cube(const CaseSetup& setup) {
   constexpr const char* kName = "corner_cube";
-  constexpr float kRulerHalf = kCornerRulerHalf;
   // Three bounces that each turn the direction by at most 4 ulp and move the ray by 8 steps of coordinates up to 4 m,
   // over at most 6 m of way; then the ruler's ten roundings of 1.
-  const double bound = (3.0 * 8.0 * 4.0 * 0x1p-24 + 3.0 * 4.0 * 0x1p-23 * 6.0) / (2.0 * kRulerHalf) + 10.0 * 0x1p-24;
+  const double bound =
+      (3.0 * 8.0 * 4.0 * 0x1p-24 + 3.0 * 4.0 * 0x1p-23 * 6.0) / (2.0 * kCornerRulerHalf) + 10.0 * 0x1p-24;
   Tally tally("absolute", bound);
   std::uint64_t judged = 0;
   for_each_picture(setup, kName, kSide, 8, [&](SampleRandom& random, std::uint64_t number) {
@@ -168,7 +168,7 @@ CaseResult run_corner_cube(const CaseSetup& setup) {
       const std::optional<double> mark = corner_mark(pixel_ray(made.camera, picture, pixel));
       if (!mark) return 0.0;
       ++judged;
-      return std::abs(picture.color(pixel).x - (*mark + kRulerHalf) / (2.0 * kRulerHalf));
+      return std::abs(picture.color(pixel).x - (*mark + kCornerRulerHalf) / (2.0 * kCornerRulerHalf));
     });
   });
   return if_judged(tally.result(), judged);

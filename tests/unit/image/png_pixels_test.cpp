@@ -1,19 +1,11 @@
 #include "image/png_pixels.h"
 
 #include <gtest/gtest.h>
-#include <zlib.h>
+
+#include "unit/image/deflated.h"
 
 namespace vernier {
 namespace {
-
-std::string deflated(const std::string& rows) {
-  uLongf size = compressBound(static_cast<uLong>(rows.size()));
-  std::string stream(size, '\0');
-  compress(reinterpret_cast<Bytef*>(stream.data()), &size, reinterpret_cast<const Bytef*>(rows.data()),
-           static_cast<uLong>(rows.size()));
-  stream.resize(size);
-  return stream;
-}
 
 /// The fault of `stream` handed over in parts of `part_bytes`.
 std::string fault_in_parts(const PngLayout& layout, const std::string& stream, std::size_t part_bytes) {
