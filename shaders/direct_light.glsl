@@ -20,6 +20,13 @@ vec3 reflected_light(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) 
   return reflected * light.irradiance;
 }
 
+// Where the way to a light in `direction` begins. A triangle that faces away from it may be lit all the same, where its
+// vertex normals round it off: by way of the rounded surface, from which the triangle itself may stand in the way.
+vec3 light_ray_origin(IN(SurfacePoint) surface, IN(vec3) direction) {
+  if (dot_product(surface.geometric_normal, direction) > 0.0f) return spawn_origin(surface, direction);
+  return spawn_origin(surface, surface.geometric_normal) + surface.rise;
+}
+
 // Asks the lights from visit.next_light on, up to the first whose light has to be proven by a shadow ray: the ray is put
 // into `visit`, and visit.value is what the light adds by the surface alone; true. Lights that need no such ray are added
 // to `sum`. False: no light is left, or a loop limit cut the search off and visit.next_light says where.
@@ -30,6 +37,7 @@ bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_vi
   vec3 direction = vec3(0.0f);
   vec3 offset = vec3(0.0f);
   bool directional = false;
+  bool rises = dot_product(surface.geometric_normal, surface.rise) > 0.0f && !mutated(MUTATION_FACET_TERMINATOR);
   // One variable decides, and lights_are_done() works its answer out by itself: a compiler that sees the loop end on a
   // comparison takes the outcome for granted behind it, where llvmpipe may have left the loop without.
   bool looking = visit.next_light < light_count;
@@ -41,7 +49,8 @@ bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_vi
       LightSample light = sample_light(fetch_light(visit.next_light), surface.position);
       visit.next_light++;
       float cosine = dot_product(surface.normal, light.direction);
-      bool lit = cosine > 0.0f && dot_product(surface.geometric_normal, light.direction) > 0.0f && max3(light.irradiance) > 0.0f;
+      bool faces = rises || dot_product(surface.geometric_normal, light.direction) > 0.0f;
+      bool lit = faces && cosine > 0.0f && max3(light.irradiance) > 0.0f;
       vec3 reflected = lit ? reflected_light(surface, terms, to_viewer, light, cosine) : vec3(0.0f);
       if (!effect_on(EFFECT_SHADOWS)) {
         sum += reflected;
@@ -60,7 +69,7 @@ bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_vi
     }
   }
   // Of the ray nothing matters where none was found.
-  vec3 origin = spawn_origin(surface, direction);
+  vec3 origin = light_ray_origin(surface, direction);
   // Towards a point light the ray ends at t = 1, at the light; the offset of its start is taken into account.
   visit.ray = Ray(origin, directional ? direction : offset + (surface.position - origin));
   visit.t_min = 0.0f;

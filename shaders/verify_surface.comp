@@ -89,7 +89,7 @@ void main() {
     }
     case VERIFY_NORMAL: {
       TrianglePoint point = weighted_point(operand(9u), operand(10u));
-      answer_vector(0u, interpolated_normal(point, operand_vector(11u)));
+      answer_vector(0u, smooth_point(point, operand_vector(11u), true).normal);
       break;
     }
   }

@@ -37,6 +37,7 @@
 #define MUTATION_TIES_SKIPPED 13u      // a ray that goes on behind a hit leaves out what lies at the same t
 #define MUTATION_WORLD_ORIGIN 14u      // secondary rays start where world coordinates are rounded to float
 #define MUTATION_POINT_NORMAL 15u      // normals of shared meshes are mapped as points are, not by the inverse transpose
-#define MUTATION_COUNT 16u
+#define MUTATION_FACET_TERMINATOR 16u  // no light reaches a triangle that faces away, whatever its vertex normals
+#define MUTATION_COUNT 17u
 
 #endif

@@ -30,7 +30,7 @@ struct Context {
 
 /// A hit with all that shading asks for.
 struct Surface {
-  std::uint32_t triangle;
+  const Hit& hit;
   const Material& material;
   ShadingFrame frame;
   SurfaceTerms terms;
@@ -57,13 +57,12 @@ glm::dvec3 lit_by(const Context& context, const Surface& surface, const Light& l
   const auto arrival = light_arrival(light, surface.frame.position);
   if (!arrival) return glm::dvec3(0.0);
   const double cosine = glm::dot(surface.frame.shading_normal, arrival->direction);
-  if (cosine <= 0.0 || glm::dot(surface.frame.geometric_normal, arrival->direction) <= 0.0) return glm::dvec3(0.0);
+  if (cosine <= 0.0) return glm::dvec3(0.0);
   const SurfaceTerms& terms = surface.terms;
   const glm::dvec3 scattered = terms.diffuse * (cosine / std::numbers::pi) +
                                terms.specular * highlight(surface, arrival->direction) * (terms.cosine ? cosine : 1.0);
   if (scattered == glm::dvec3(0.0)) return glm::dvec3(0.0);
-  const Ray to_light{surface.frame.position, arrival->direction};
-  return arrival->irradiance * scattered * transmittance(context.scene, to_light, arrival->distance, surface.triangle);
+  return arrival->irradiance * scattered * visibility(context.scene, surface.hit, surface.frame, *arrival);
 }
 
 glm::dvec3 direct_light(const Context& context, const Surface& surface) {
@@ -118,7 +117,7 @@ void turn(const Context& context, const Path& path, const Surface& surface, cons
   const double eta = frame.front || material.thin_walled ? ior : 1.0 / ior;
   const Split weights = split(surface.terms, cosine, eta);
 
-  Path child{{frame.position, {}}, surface.triangle, weight * weights.reflected, path.depth + 1, path.medium};
+  Path child{{frame.position, {}}, surface.hit.triangle, weight * weights.reflected, path.depth + 1, path.medium};
   if (is_traced(context, child.weight)) {
     child.ray.direction = kept_on_side(2.0 * cosine * normal - surface.view, frame.geometric_normal);
     waiting.push_back(child);
@@ -138,8 +137,8 @@ glm::dvec3 hit_light(const Context& context, const Path& path, const Hit& hit, c
                      WaitingPaths& waiting) {
   const Triangle& triangle = context.scene.baked.triangles[hit.triangle];
   const Scene& scene = *context.scene.scene;
-  const Surface surface{hit.triangle, scene.materials[triangle.material], frame,
-                        surface_terms(scene, triangle, hit.weights), -path.ray.direction};
+  const Surface surface{hit, scene.materials[triangle.material], frame, surface_terms(scene, triangle, hit.weights),
+                        -path.ray.direction};
   const glm::dvec3 weight = path.weight * hit.coverage;
   if (surface.material.unlit) return weight * surface.terms.base;
   turn(context, path, surface, weight, waiting);

@@ -1,5 +1,6 @@
 #include "reference/shading_frame.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -24,18 +25,44 @@ const Mesh& mesh_of(const TracedScene& scene, const Triangle& triangle) {
   return scene.scene->meshes[scene.scene->instances[triangle.instance].mesh];
 }
 
-glm::dvec3 smooth_normal(const TracedScene& scene, const Triangle& triangle, const glm::dvec3& weights) {
+using CornerNormals = std::array<glm::dvec3, 3>;
+
+// In the world, unit; none where the mesh has none or a corner's is zero.
+std::optional<CornerNormals> corner_normals(const TracedScene& scene, const Triangle& triangle) {
   const Mesh& mesh = mesh_of(scene, triangle);
-  if (mesh.normals.empty()) return triangle.normal;
-  glm::dvec3 sum(0.0);
+  if (mesh.normals.empty()) return std::nullopt;
+  CornerNormals normals;
   for (int corner = 0; corner < 3; ++corner) {
     const glm::dvec3 normal(mesh.normals[triangle.vertices[corner]]);
     const auto world = unit(scene.baked.frames[triangle.instance].world_from_normal * normal);
-    if (!world) return triangle.normal;
-    sum += weights[corner] * *world;
+    if (!world) return std::nullopt;
+    normals[corner] = *world;
   }
-  const glm::dvec3 smooth = unit(sum).value_or(triangle.normal);
-  return glm::dot(smooth, triangle.normal) < 0.0 ? -smooth : smooth;
+  return normals;
+}
+
+// The way from `position` to the tangent planes of the corners that lie above it, weighed.
+glm::dvec3 rise_of(const Triangle& triangle, const CornerNormals& normals, const glm::dvec3& weights,
+                   const glm::dvec3& position) {
+  glm::dvec3 rise(0.0);
+  for (int corner = 0; corner < 3; ++corner) {
+    const double height = glm::dot(triangle.corners[corner] - position, normals[corner]);
+    if (height > 0.0) rise += weights[corner] * height * normals[corner];
+  }
+  return rise;
+}
+
+// Sets the normal and the rise that the vertices say; `frame` has the triangle's own normal, towards the viewer.
+void round_off(const TracedScene& scene, const Triangle& triangle, const glm::dvec3& weights, ShadingFrame& frame) {
+  std::optional<CornerNormals> normals = corner_normals(scene, triangle);
+  if (!normals) return;
+  const auto smooth = unit(weights[0] * (*normals)[0] + weights[1] * (*normals)[1] + weights[2] * (*normals)[2]);
+  if (!smooth) return;
+  const bool along = glm::dot(*smooth, triangle.normal) >= 0.0;
+  const double side = along == frame.front ? 1.0 : -1.0;
+  for (glm::dvec3& normal : *normals) normal *= side;
+  frame.shading_normal = side * *smooth;
+  frame.rise = rise_of(triangle, *normals, weights, frame.position);
 }
 
 // The weighted tangent of the vertices; none where the mesh has none or a corner's is zero.
@@ -103,13 +130,12 @@ ShadingFrame shading_frame(const TracedScene& scene, const Hit& hit, const glm::
   ShadingFrame frame;
   frame.position = triangle.corners[0] + hit.weights.y * (triangle.corners[1] - triangle.corners[0]) +
                    hit.weights.z * (triangle.corners[2] - triangle.corners[0]);
-  frame.geometric_normal = triangle.normal;
-  frame.shading_normal = textured_normal(scene, triangle, hit.weights, smooth_normal(scene, triangle, hit.weights));
   frame.front = glm::dot(triangle.normal, direction) <= 0.0;
-  if (!frame.front) {
-    frame.geometric_normal = -frame.geometric_normal;
-    frame.shading_normal = -frame.shading_normal;
-  }
+  const double side = frame.front ? 1.0 : -1.0;
+  frame.geometric_normal = side * triangle.normal;
+  frame.shading_normal = frame.geometric_normal;
+  round_off(scene, triangle, hit.weights, frame);
+  frame.shading_normal = side * textured_normal(scene, triangle, hit.weights, side * frame.shading_normal);
   return frame;
 }
 

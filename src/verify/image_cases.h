@@ -34,6 +34,9 @@ CaseResult run_mirror_corridor(const CaseSetup& setup);
 CaseResult run_corner_cube(const CaseSetup& setup);
 /// Boxes one in the other, overlapping and face to face absorb what the boxes last entered do, and nothing outside.
 CaseResult run_nested_dielectrics(const CaseSetup& setup);
+/// A coarse sphere with vertex normals is lit as the round one that they mean, facets that face away from the light
+/// included.
+CaseResult run_rounded_terminator(const CaseSetup& setup);
 /// Texture coordinates on a ground that runs on behind the camera, and no gap in it.
 CaseResult run_perspective_uv(const CaseSetup& setup);
 /// Tiles, dispatches and crops change no bit.
@@ -57,6 +60,8 @@ inline constexpr VerifyCase kImageCases[] = {
     {40, "mirror_corridor", "directions hold through 1000 bounces", "analytic", run_mirror_corridor},
     {40, "corner_cube", "three mirrors send a ray back parallel to itself", "analytic", run_corner_cube},
     {41, "nested_dielectrics", "no medium is left behind outside", "analytic", run_nested_dielectrics},
+    {47, "rounded_terminator", "vertex normals shade a coarse sphere as a round one", "analytic",
+     run_rounded_terminator},
     {49, "perspective_uv", "texture coordinates of a ground up to the horizon", "analytic", run_perspective_uv},
     {51, "image_order", "tiles, dispatches and crops change no bit", "metamorphic", run_image_order},
     {55, "driver_difference", "two devices make the same picture", "metamorphic", run_driver_difference},

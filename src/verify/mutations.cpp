@@ -114,6 +114,11 @@ std::span<const Mutation> mutations() {
        kRobust,
        MUTATION_POINT_NORMAL,
        {"instance_shared"}},
+      {"facet_terminator",
+       "a triangle that faces away from a light is black, whatever its vertex normals",
+       kRobust,
+       MUTATION_FACET_TERMINATOR,
+       {"rounded_terminator"}},
   };
   return all;
 }

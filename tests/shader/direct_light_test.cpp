@@ -15,7 +15,7 @@ constexpr vec3 kUp(0, 0, 1);
 
 /// A place on the plane z = 0 seen from above, whose rounding nobody knows to a micrometre.
 SurfacePoint floor_at(const vec3& place, const vec3& normal = kUp) {
-  return SurfacePoint{place, vec3(1e-6f), kUp, normal, true, 0u, 0.0f};
+  return SurfacePoint{place, vec3(1e-6f), kUp, normal, true, 0u, 0.0f, vec3(0)};
 }
 
 ShadingTerms matte(const vec3& diffuse) {
@@ -123,6 +123,23 @@ Asked ask(const SurfacePoint& surface, const ShadingTerms& terms, uint next_ligh
   asked.visit.next_light = next_light;
   asked.found = ask_lights(surface, terms, kUp, asked.visit, asked.sum);
   return asked;
+}
+
+TEST(DirectLight, a_triangle_that_faces_away_is_asked_for_from_where_it_is_rounded_off_to) {
+  const vec3 towards = glm::normalize(vec3(0.5f, 0, -0.125f));
+  Memory scene = lit_by({directional_light(-towards, 2.0f)});
+  const BoundMemory bound(scene);
+  SurfacePoint surface = floor_at(vec3(1, 2, 0), glm::normalize(vec3(1, 0, 1)));
+  EXPECT_FALSE(ask(surface, matte(vec3(1))).found) << "nothing rounds it off";
+  surface.rise = vec3(0.5f, 0, -0.25f);
+  EXPECT_FALSE(ask(surface, matte(vec3(1))).found) << "that would be below it";
+  surface.rise = vec3(0, 0, 0.25f);
+  const Asked asked = ask(surface, matte(vec3(1)));
+  ASSERT_TRUE(asked.found);
+  EXPECT_EQ(asked.visit.ray.origin, vec3(1, 2, 0.25f + 1e-6f)) << "above the floor, though the light is below";
+  EXPECT_EQ(asked.visit.ray.direction, towards);
+  surface.normal = glm::normalize(vec3(0, 1, 1));
+  EXPECT_FALSE(ask(surface, matte(vec3(1))).found) << "the rounded surface faces away, too";
 }
 
 TEST(DirectLight, a_shadow_ray_to_a_directional_light_has_no_end) {

@@ -1,62 +1,14 @@
 #include <gtest/gtest.h>
 
-#include <array>
-#include <bit>
-#include <cstring>
 #include <limits>
 #include <numbers>
 
+#include "shader/corner_attributes.h"
 #include "shader/random_values.h"
 #include "shader/shader.h"
 
 namespace vernier::shader {
 namespace {
-
-constexpr float kHalfRoot = 1.0f / std::numbers::sqrt2_v<float>;
-constexpr vec3 kUp(0, 0, 1);
-
-/// Vertex data of a triangle's three corners, and where they lie in a vertex: normal, tangent, UV sets 0 and 1.
-struct Corners {
-  std::array<vec3, 3> normals{vec3(0, 0, 1), vec3(0, 0, 1), vec3(0, 0, 1)};
-  std::array<vec4, 3> tangents{};
-  std::array<vec2, 3> uvs{vec2(0, 0), vec2(1, 0), vec2(0, 1)};
-  std::array<vec2, 3> second_uvs{};
-};
-
-constexpr std::uint32_t kMaterial = 7;
-
-/// Memory with one triangle's vertices: all attributes but colours are there; `use` is that of the normal texture.
-Memory memory_with(const Corners& corners, const DeviceTextureUse& use = plain_use(0)) {
-  Memory scene;
-  scene.materials.resize(std::size_t{kMaterial + 1} * MATERIAL_TEXELS);
-  const std::size_t slot = TEXTURE_SLOT_NORMAL;
-  std::memcpy(&scene.materials[kMaterial * MATERIAL_TEXELS + MATERIAL_OWN_TEXELS + slot * TEXTURE_USE_TEXELS], &use,
-              sizeof use);
-  SteeringConstants& steering = scene.dispatch.steering;
-  steering.vertex_texels = 3;
-  steering.normal_texel = 0;
-  steering.tangent_texel = 1;
-  steering.uv01_texel = 2;
-  steering.uv23_texel = steering.color_texel = NONE;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const vec4 uvs(corners.uvs[i].x, corners.uvs[i].y, corners.second_uvs[i].x, corners.second_uvs[i].y);
-    for (const vec4& texel : {vec4(corners.normals[i], 0), corners.tangents[i], uvs})
-      scene.vertices.push_back(std::bit_cast<uvec4>(texel));
-  }
-  return scene;
-}
-
-/// The point with weights b1 and b2 of the triangle (0, 0, 0), (1, 0, 0), (0, 1, 0), whose front looks along +Z.
-TrianglePoint unit_triangle_point(float b1, float b2) {
-  return weighted_point(vec3(0), vec3(1, 0, 0), vec3(0, 1, 0), uvec4(0, 1, 2, kMaterial), vec3(1 - b1 - b2, b1, b2),
-                        1.0f);
-}
-
-/// A unit vector has two roundings per component: the scaled sum's and the reciprocal's, and those of the sum under the
-/// root at half their size. 4 half ulps of 1 bound them.
-void expect_unit_near(const vec3& value, const vec3& expected) {
-  for (int i = 0; i < 3; ++i) EXPECT_NEAR(value[i], expected[i], 4 * 0x1p-24f) << i;
-}
 
 DeviceMaterial with_normal_texture(float scale) {
   DeviceMaterial material{};
@@ -76,12 +28,6 @@ vec3 bent(const Corners& corners, const vec3& rgb, float scale = 1.0f, std::uint
   Memory scene = memory_with(corners, plain_use(uv_set));
   const BoundMemory bound(scene);
   return bent_normal(unit_triangle_point(0.25f, 0.25f), with_normal_texture(scale), normal_texel(rgb), kUp);
-}
-
-vec3 interpolated_at(const Corners& corners, float b1, float b2) {
-  Memory scene = memory_with(corners);
-  const BoundMemory bound(scene);
-  return interpolated_normal(unit_triangle_point(b1, b2), kUp);
 }
 
 vec4 frame_of(const Corners& corners, const DeviceTextureUse& use = plain_use(0)) {
@@ -118,49 +64,6 @@ TEST(Surface, the_geometric_normal_needs_no_size) {
     const SurfacePoint surface = surface_point(point, DeviceMaterial{}, no_slot_texels(), vec3(0, 0, -1));
     expect_unit_near(surface.geometric_normal, kUp);
   }
-}
-
-TEST(Surface, vertex_normals_are_weighed_and_made_unit) {
-  Corners corners;
-  corners.normals[1] = vec3(1, 0, 0);
-  expect_unit_near(interpolated_at(corners, 0.5f, 0), vec3(kHalfRoot, 0, kHalfRoot));
-  expect_unit_near(interpolated_at(corners, 0.25f, 0.25f), vec3(1, 0, 3) / std::sqrt(10.0f));
-  EXPECT_EQ(interpolated_at(corners, 0, 0), kUp);
-  EXPECT_EQ(interpolated_at(corners, 1, 0), vec3(1, 0, 0));
-}
-
-TEST(Surface, vertex_normals_take_the_geometric_side) {
-  RandomValues random(5);
-  for (int i = 0; i < 1000; ++i) {
-    Corners corners;
-    for (vec3& normal : corners.normals) normal = random.direction();
-    const vec3 one = interpolated_at(corners, 0.25f, 0.5f);
-    for (vec3& normal : corners.normals) normal = -normal;
-    const vec3 other = interpolated_at(corners, 0.25f, 0.5f);
-    ASSERT_GE(one.z, 0.0f);
-    ASSERT_EQ(one, other);  // negation is exact
-  }
-}
-
-TEST(Surface, without_a_usable_vertex_normal_the_geometric_one_stands) {
-  Corners flat_corner;
-  flat_corner.normals = {vec3(1, 0, 0), vec3(0), vec3(1, 0, 0)};
-  EXPECT_EQ(interpolated_at(flat_corner, 0.25f, 0.25f), kUp);
-  Corners opposite;
-  opposite.normals = {vec3(0), vec3(1, 0, 0), vec3(-1, 0, 0)};
-  opposite.normals[0] = vec3(0, 1, 0);
-  EXPECT_EQ(interpolated_at(opposite, 0.5f, 0.5f), kUp) << "a sum of zero";
-  Corners tilted;
-  tilted.normals.fill(vec3(1, 0, 0));
-  Memory scene = memory_with(tilted);
-  const BoundMemory bound(scene);
-  scene.dispatch.steering.normal_texel = NONE;
-  EXPECT_EQ(interpolated_normal(unit_triangle_point(0.25f, 0.25f), kUp), kUp);
-  scene.dispatch.steering.normal_texel = 0;
-  EXPECT_EQ(interpolated_normal(unit_triangle_point(0.25f, 0.25f), kUp), vec3(1, 0, 0));
-  EFFECTS = ~EFFECT_SMOOTH_NORMALS;
-  EXPECT_EQ(interpolated_normal(unit_triangle_point(0.25f, 0.25f), kUp), kUp);
-  EFFECTS = 0xffffffffu;
 }
 
 TEST(Surface, a_mesh_s_tangents_are_made_square_to_the_normal) {

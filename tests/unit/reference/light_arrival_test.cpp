@@ -182,5 +182,38 @@ TEST(Transmittance, UnlitGlassIsOpaque) {
   EXPECT_EQ(upwards(scene), glm::dvec3(0.0));
 }
 
+/// What gets to (0.5, 0.25, 0) on a square, seen from above, from `arrival`.
+double red_arriving(const Scene& scene, const LightArrival& arrival) {
+  const TracedScene traced = prepare_scene(scene);
+  const Ray down{{0.5, 0.25, 2}, {0, 0, -1}};
+  const auto hit = closest_hit(traced, down, kNoTriangle);
+  if (!hit) return -1.0;
+  return visibility(traced, *hit, shading_frame(traced, *hit, down.direction), arrival).x;
+}
+
+LightArrival from(const glm::dvec3& way, double distance = kInfinity) {
+  return {glm::normalize(way), distance, glm::dvec3(1.0)};
+}
+
+TEST(Visibility, ATriangleThatFacesAwayIsDarkUnlessNormalsRoundItOff) {
+  Scene scene;
+  Material& material = test::add_black(scene);
+  material.alpha_mode = AlphaMode::blend;
+  Mesh& square = test::add_square(scene, 0.0f);
+  EXPECT_EQ(red_arriving(scene, from({1, 0, 0.1})), 1.0);
+  EXPECT_EQ(red_arriving(scene, from({1, 0, -0.1})), 0.0) << "flat";
+  // The surface is raised by (0, 0, 0.375), half a metre from the rim.
+  const float h = std::sqrt(0.5f);
+  square.normals = {{-h, 0, h}, {h, 0, h}, {h, 0, h}, {-h, 0, h}};
+  EXPECT_EQ(red_arriving(scene, from({1, 0, -0.1})), 1.0) << "over the rim";
+  EXPECT_EQ(red_arriving(scene, from({1, 0, -0.7})), 1.0) << "just over the rim";
+  EXPECT_EQ(red_arriving(scene, from({1, 0, -0.8})), 0.0) << "through the triangle";
+  EXPECT_EQ(red_arriving(scene, from({-1, 0, -0.8})), 0.0) << "through its neighbour";
+  EXPECT_EQ(red_arriving(scene, from({3, 0, -1.125}, std::hypot(3, 1.125))), 1.0) << "1.5 down over 3 from up there";
+  EXPECT_EQ(red_arriving(scene, from({3, 0, -2.25}, std::hypot(3, 2.25))), 0.0);
+  material.base_color.w = 0.25f;
+  EXPECT_EQ(red_arriving(scene, from({1, 0, -0.8})), 0.75) << "a quarter of it is there";
+}
+
 }  // namespace
 }  // namespace vernier::reference

@@ -48,6 +48,11 @@ TEST(ShadingFrame, SmoothNormalsAreInterpolated) {
   expect_near(frame.geometric_normal, {0, 0, 1});
 }
 
+TEST(ShadingFrame, NormalsThatLeanOutwardsRaiseTheSurface) {
+  expect_near(frame_at(bent_square(), {0.5, 0.25, 2}, {0, 0, -1}).rise, {0, 0, 0.375});
+  expect_near(frame_at(bent_square(), {0.5, 0.25, -2}, {0, 0, 1}).rise, {0, 0, 0});
+}
+
 TEST(ShadingFrame, OneZeroNormalMakesTheTriangleFlat) {
   Scene scene = bent_square();
   scene.meshes[0].normals[1] = glm::vec3(0.0f);  // only in triangle 0, below the diagonal
