@@ -1,14 +1,12 @@
 #include "scene/gltf_json.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <string_view>
-#include <utility>
 
 #include "error.h"
+#include "scene/gltf_types.h"
 
 namespace vernier {
 namespace {
@@ -85,77 +83,11 @@ void normalise_number(json& number, const std::string& key) {
   }
 }
 
-/// Members that are indices, sizes or enumerators: whole numbers from 0.
-constexpr std::array<std::string_view, 24> kWholeNumbers = {
-    "buffer",
-    "bufferView",
-    "byteLength",
-    "byteOffset",
-    "byteStride",
-    "camera",
-    "count",
-    "index",
-    "indices",
-    "material",
-    "mesh",
-    "mode",
-    "scene",
-    "skeleton",
-    "skin",
-    "source",
-    "sampler",
-    "texCoord",
-    "magFilter",
-    "minFilter",
-    "wrapS",
-    "wrapT",
-    "inverseBindMatrices",
-    "componentType",
-};
-
-/// Lists of them, by the member that holds the object they are in.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kWholeNumberLists = {
-    {{"scenes", "nodes"}, {"nodes", "children"}, {"skins", "joints"}}};
-
-constexpr std::array<std::string_view, 14> kObjectLists = {
-    "accessors", "buffers",  "bufferViews", "cameras", "images",  "materials", "meshes",
-    "nodes",     "samplers", "scenes",      "skins",   "targets", "textures",  "primitives",
-};
-
-constexpr std::array<std::string_view, 8> kObjects = {
-    "attributes",    "baseColorTexture", "emissiveTexture",      "metallicRoughnessTexture",
-    "normalTexture", "occlusionTexture", "pbrMetallicRoughness", "sparse",
-};
-
-/// Members that are a number. (Bounds of accessors are not looked at: exporters write null for NaN.)
-constexpr std::array<std::string_view, 11> kNumbers = {
-    "alphaCutoff", "aspectRatio", "metallicFactor", "roughnessFactor", "scale", "strength", "xmag",
-    "yfov",        "ymag",        "zfar",           "znear",
-};
-
-/// Lists of numbers, by the member that holds the object they are in. (How many is looked at later.)
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kNumberLists = {
-    {{"nodes", "matrix"},
-     {"nodes", "rotation"},
-     {"nodes", "scale"},
-     {"nodes", "translation"},
-     {"nodes", "weights"},
-     {"meshes", "weights"},
-     {"materials", "emissiveFactor"},
-     {"pbrMetallicRoughness", "baseColorFactor"}}};
-
-/// "material 3" for element 3 of `materials`.
-std::string element_name(const std::string& array, std::size_t index) {
-  std::string singular = array == "meshes" ? "mesh" : array;
-  if (singular.ends_with('s')) singular.pop_back();
-  return singular + " " + std::to_string(index);
-}
-
 void normalise(json& value, const std::string& key, const std::string& place, GltfJson& result) {
   if (value.is_number()) normalise_number(value, key);
   if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i) {
-      normalise(value[i], key, place.empty() ? element_name(key, i) : place, result);
+      normalise(value[i], key, place.empty() ? gltf_element_name(key, i) : place, result);
     }
   }
   if (!value.is_object()) return;
@@ -168,70 +100,6 @@ void normalise(json& value, const std::string& key, const std::string& place, Gl
   }
 }
 
-bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
-  return std::ranges::find(names, name) != names.end();
-}
-
-bool is_list_of(const json& member, bool (*holds)(const json&)) {
-  return member.is_array() && std::ranges::all_of(member, holds);
-}
-
-bool is_whole(const json& member) {
-  return member.is_number_unsigned();
-}
-bool is_number(const json& member) {
-  return member.is_number();
-}
-bool is_object(const json& member) {
-  return member.is_object();
-}
-
-bool is_one_of(const std::string& key, const std::string& name,
-               std::span<const std::pair<std::string_view, std::string_view>> members) {
-  return std::ranges::find(members, std::pair<std::string_view, std::string_view>(key, name)) != members.end();
-}
-
-/// What member `name` of an object that is called `key` is not, or empty.
-std::string missed_type(const std::string& key, const std::string& name, const json& member) {
-  const bool is_attribute = key == "attributes" || key == "targets";
-  if (is_attribute || (is_one_of(name, kWholeNumbers) && !(key == "sparse" && name == "indices"))) {
-    if (!is_whole(member)) return "a whole number from 0";
-  }
-  constexpr double kIntMax = std::numeric_limits<std::int32_t>::max();
-  if (key == "sparse" && name == "count" && member.get<double>() > kIntMax) return "a number below 2^31";
-  if (is_one_of(key, name, kWholeNumberLists)) {
-    return is_list_of(member, is_whole) ? "" : "a list of whole numbers from 0";
-  }
-  if (is_one_of(name, kObjectLists) && (key.empty() || key == "meshes" || key == "primitives")) {
-    return is_list_of(member, is_object) ? "" : "a list of objects";
-  }
-  if (member.is_null()) return "";  // what some exporters write for what they do not know
-  if (is_one_of(name, kObjects)) return member.is_object() ? "" : "an object";
-  if (is_one_of(key, name, kNumberLists)) return is_list_of(member, is_number) ? "" : "a list of numbers";
-  return is_one_of(name, kNumbers) && !member.is_number() ? "a number" : "";
-}
-
-// A parser further down takes what is below 0 or no number for not given. Extensions have members of their own.
-void check_numbers(const json& value, const std::string& key, const std::string& place, const std::string& path) {
-  if (value.is_array()) {
-    for (std::size_t i = 0; i < value.size(); ++i) {
-      check_numbers(value[i], key, place.empty() ? element_name(key, i) : place, path);
-    }
-    return;
-  }
-  if (value.is_object()) {
-    for (const auto& [name, member] : value.items()) {
-      if (name == "extensions" || name == "animations") continue;
-      const std::string missed = missed_type(key, name, member);
-      if (!missed.empty()) {
-        refuse(path,
-               (place.empty() ? "" : place + ": ") + name + " is " + member.dump().substr(0, 40) + ", not " + missed);
-      }
-      check_numbers(member, name, place, path);
-    }
-  }
-}
-
 }  // namespace
 
 GltfJson parse_gltf_json(std::span<const std::byte> text, const std::string& path) {
@@ -241,7 +109,7 @@ GltfJson parse_gltf_json(std::span<const std::byte> text, const std::string& pat
   result.root = parse(characters, path);
   check_version(result.root, path);
   normalise(result.root, "", "", result);
-  check_numbers(result.root, "", "", path);
+  check_gltf_types(result.root, path);
   return result;
 }
 

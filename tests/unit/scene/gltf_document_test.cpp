@@ -128,6 +128,31 @@ TEST(GltfDocument, numbers_are_numbers) {
   refusal("/accessors/0/sparse", {{"count", 4294967297}}, "accessor 0: count is 4294967297, not a number below 2^31");
 }
 
+TEST(GltfDocument, members_of_extensions_have_their_types) {
+  const auto refusal = [](const std::string& owner, const nlohmann::json& extensions, const std::string& message) {
+    GltfFile file;
+    add_triangle(file);
+    file.add("materials", {{"name", "m"}});
+    file.json[nlohmann::json::json_pointer(owner + "/extensions")] = extensions;
+    expect_refused(file, message);
+  };
+  refusal("/materials/0", {{"KHR_materials_ior", 1.5}}, "material 0: KHR_materials_ior is 1.5, not an object");
+  refusal("/materials/0", {{"KHR_materials_ior", {{"ior", "1.5"}}}}, "material 0: ior is \"1.5\", not a number");
+  refusal("/materials/0", {{"KHR_materials_volume", {{"attenuationColor", {1, 1}}}}},
+          "material 0: attenuationColor is [1,1], not a list of 3 numbers");
+  refusal("/materials/0", {{"KHR_materials_pbrSpecularGlossiness", {{"specularFactor", 1}}}},
+          "material 0: specularFactor is 1, not a list of 3 numbers");
+  refusal("/materials/0", {{"KHR_materials_specular", {{"specularFactor", {1, 1, 1}}}}},
+          "material 0: specularFactor is [1,1,1], not a number");
+  refusal("/materials/0", {{"KHR_materials_specular", {{"specularTexture", {{"index", 0.5}}}}}},
+          "material 0: index is 0.5, not a whole number from 0");
+  refusal("/nodes/0", {{"KHR_node_visibility", {{"visible", 0}}}}, "node 0: visible is 0, not true or false");
+  refusal("/nodes/0", {{"KHR_lights_punctual", {{"light", "0"}}}}, "node 0: light is \"0\", not a whole number");
+  refusal("", {{"KHR_lights_punctual", {{"lights", 1}}}}, "lights is 1, not a list of objects");
+  refusal("", {{"KHR_lights_punctual", {{"lights", {{{"type", "point"}, {"intensity", "1"}}}}}}},
+          "light 0: intensity is \"1\", not a number");
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, GltfReferences,
     testing::Values(BrokenReference{"/nodes/0/mesh", 1, "node 0: mesh 1 does not exist, the file has 1"},

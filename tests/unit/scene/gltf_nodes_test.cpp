@@ -70,7 +70,7 @@ TEST(GltfNodes, that_are_hidden_hide_what_is_below) {
   file.json["nodes"] = {{{"mesh", 0}, {"name", "a"}, {"children", {1}}, {"extensions", visibility(false)}},
                         {{"mesh", 0}, {"name", "b"}, {"camera", 0}, {"extensions", visibility(true)}},
                         {{"mesh", 0}, {"name", "c"}, {"extensions", visibility(true)}},
-                        {{"mesh", 0}, {"name", "d"}, {"extensions", visibility("no boolean")}}};
+                        {{"mesh", 0}, {"name", "d"}, {"extensions", visibility(nullptr)}}};
   file.json["extensionsUsed"] = {"KHR_node_visibility"};
   file.json["cameras"] = {{{"type", "perspective"}, {"perspective", {{"yfov", 1.0}, {"znear", 0.1}}}}};
   const Scene scene = file.load();
