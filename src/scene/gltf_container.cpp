@@ -1,16 +1,13 @@
 #include "scene/gltf_container.h"
 
 #include <cstdint>
-#include <cstring>
-#include <filesystem>
-#include <fstream>
 
 #include "error.h"
 
 namespace vernier {
 namespace {
 
-constexpr std::uint32_t kGlbMagic = 0x46546C67;  // "glTF"
+constexpr std::string_view kMagicText = "glTF";
 constexpr std::uint32_t kJsonChunk = 0x4E4F534A;
 constexpr std::uint32_t kBinChunk = 0x004E4942;
 constexpr std::size_t kHeaderBytes = 12;
@@ -41,31 +38,19 @@ std::size_t glb_length(std::span<const std::byte> file, const std::string& path)
 
 }  // namespace
 
-std::vector<std::byte> read_file_bytes(const std::string& path, const std::string& place, std::uint64_t max_bytes) {
-  std::error_code failure;
-  // Opening a pipe would wait for its writer, a directory has no size: both are refused unopened.
-  const auto status = std::filesystem::status(path, failure);
-  if (!std::filesystem::exists(status)) refuse(place, "the file does not exist");
-  if (!std::filesystem::is_regular_file(status)) refuse(place, "not a regular file");
-  std::ifstream file(path, std::ios::binary | std::ios::ate);
-  if (!file) refuse(place, "the file cannot be opened");
-  const std::streamoff size = file.tellg();
-  if (size < 0) refuse(place, "the file cannot be read");
-  if (std::uint64_t(size) > max_bytes) {
-    refuse(place, "the file has " + std::to_string(size) + " bytes, more than " + std::to_string(max_bytes));
-  }
-  std::vector<std::byte> bytes(static_cast<std::size_t>(size));
-  file.seekg(0);
-  if (!file.read(reinterpret_cast<char*>(bytes.data()), size)) refuse(place, "the file cannot be read");
-  return bytes;
+void check_gltf_start(std::string_view start, const std::string& path, bool binary_expected) {
+  if (start.starts_with(kMagicText)) return;
+  if (binary_expected) refuse(path, "not a binary glTF file: it does not begin with glTF");
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (start.starts_with(kByteOrderMark)) start.remove_prefix(kByteOrderMark.size());
+  const std::size_t first = start.find_first_not_of(" \t\r\n");
+  if (first != std::string_view::npos && start[first] != '{' && start[first] != '[')
+    refuse(path, "not a glTF file: it begins neither as JSON nor with glTF");
 }
 
-GltfContainer split_gltf_container(std::span<const std::byte> file, const std::string& path, bool binary_expected) {
-  const bool is_binary = file.size() >= 4 && word_at(file, 0) == kGlbMagic;
-  if (!is_binary) {
-    if (binary_expected) refuse(path, "not a binary glTF file: it does not begin with glTF");
-    return {.json = file, .bin = {}, .has_bin = false};
-  }
+GltfContainer split_gltf_container(std::span<const std::byte> file, const std::string& path) {
+  const std::string_view text(reinterpret_cast<const char*>(file.data()), file.size());
+  if (!text.starts_with(kMagicText)) return {.json = file, .bin = {}, .has_bin = false};
   const std::size_t length = glb_length(file, path);
   GltfContainer container;
   std::size_t offset = kHeaderBytes;

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <vector>
+#include <string_view>
 
 namespace vernier {
 
@@ -16,13 +16,13 @@ struct GltfContainer {
   bool has_bin = false;
 };
 
-/// All bytes of the file at `path`. Throws Error(refused) "`place`: ..." where it does not exist, cannot be read, is no
-/// regular file or is longer than `max_bytes`.
-std::vector<std::byte> read_file_bytes(const std::string& path, const std::string& place, std::uint64_t max_bytes);
+/// Refuses (Error) a file that its first bytes, `start`, show to be neither JSON nor GLB; with `binary_expected` also
+/// JSON.
+void check_gltf_start(std::string_view start, const std::string& path, bool binary_expected);
 
-/// Splits `file` (glTF 2.0, section 4, GLB) by its chunks; a file without the GLB magic is JSON as a whole.
-/// `binary_expected` refuses such a file. Chunks of other types are skipped.
+/// Splits `file` (glTF 2.0, section 4, GLB) by its chunks; a file without the GLB magic is JSON as a whole. Chunks of
+/// other types are skipped.
 /// Throws Error(refused) for a GLB of another version, a chunk beyond the end or a first chunk that is not JSON.
-GltfContainer split_gltf_container(std::span<const std::byte> file, const std::string& path, bool binary_expected);
+GltfContainer split_gltf_container(std::span<const std::byte> file, const std::string& path);
 
 }  // namespace vernier

@@ -7,6 +7,7 @@
 
 #include "error.h"
 #include "image/file_format.h"
+#include "scene/file_bytes.h"
 #include "scene/gltf_container.h"
 #include "scene/gltf_extensions.h"
 #include "scene/gltf_json.h"
@@ -195,7 +196,9 @@ void unsupported_gltf(GltfDocument& document, const std::string& place, const st
 }
 
 GltfDocument read_gltf_document(const std::string& path, const LoadOptions& options) {
-  return parse_gltf_document(read_file_bytes(path, path, kMaxFileBytes), path, options);
+  const bool binary_expected = lower_case_extension(path) == ".glb";
+  const auto check_start = [&](std::string_view start) { check_gltf_start(start, path, binary_expected); };
+  return parse_gltf_document(read_file_bytes(path, path, kMaxFileBytes, check_start), path, options);
 }
 
 GltfDocument parse_gltf_document(std::span<const std::byte> file, const std::string& path, const LoadOptions& options) {
@@ -203,7 +206,7 @@ GltfDocument parse_gltf_document(std::span<const std::byte> file, const std::str
   document.path = path;
   document.directory = std::filesystem::path(path).parent_path().string();
   document.strict = options.strict;
-  const GltfContainer container = split_gltf_container(file, path, lower_case_extension(path) == ".glb");
+  const GltfContainer container = split_gltf_container(file, path);
   GltfJson parsed = parse_gltf_json(container.json, path);
 
   // tinygltf passes over what is no list of names.

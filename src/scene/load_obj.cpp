@@ -3,11 +3,11 @@
 
 #include "error.h"
 #include "math/parallel_for.h"
+#include "scene/file_bytes.h"
 #include "scene/load_scene.h"
 #include "scene/obj_materials.h"
 #include "scene/obj_meshes.h"
 #include "scene/parse_obj.h"
-#include "scene/read_text.h"
 #include "scene/text_words.h"
 
 namespace vernier {

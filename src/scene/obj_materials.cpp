@@ -5,8 +5,8 @@
 #include <set>
 
 #include "error.h"
+#include "scene/file_bytes.h"
 #include "scene/find_file.h"
-#include "scene/read_text.h"
 #include "scene/text_words.h"
 
 namespace vernier {

@@ -16,6 +16,19 @@ TEST(LoadScene, refuses_other_extensions_and_missing_files) {
   expect_refused([] { load_scene("test.gltf", {}); }, "test.gltf: the file does not exist");
 }
 
+TEST(LoadScene, refuses_what_the_first_bytes_show_to_be_something_else) {
+  const TemporaryFolder folder;
+  expect_refused([&] { load_scene(folder.write("test.gltf", "<html>"), {}); }, "begins neither as JSON nor with glTF");
+  expect_refused([&] { load_scene(folder.write("test.obj", std::string("v\0", 2)), {}); },
+                 "not a text file: byte 1 is 0");
+  // Gigabytes, of which no memory is taken: a file without data on the disk stands for them.
+  for (const char* name : {"large.obj", "large.glb", "large.gltf"}) {
+    const std::string path = folder.write(name, "");
+    std::filesystem::resize_file(path, std::uintmax_t{4000} << 20);
+    EXPECT_THROW(load_scene(path, {}), Error) << name;
+  }
+}
+
 using Files = std::vector<std::string>;
 
 TEST(LoadScene, tells_every_file_it_was_read_from_once) {

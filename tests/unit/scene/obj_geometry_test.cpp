@@ -70,7 +70,7 @@ TEST(LoadObjGeometry, BadIndicesAreRefusedWithTheirLine) {
 TEST(LoadObjGeometry, FilesWithoutFacesAreRefused) {
   EXPECT_EQ(refusal(""), "no faces");
   EXPECT_EQ(refusal(kTriangle + "l 1 2\n"), "no faces");
-  EXPECT_EQ(refusal(std::string(100, '\0')), "no faces");
+  EXPECT_EQ(refusal(std::string(100, '\0')), "not a text file: byte 0 is 0");
   EXPECT_THROW(open_obj("/nonexistent/model.obj", {}), Error);
   EXPECT_THROW(open_obj("/", {}), Error);
 }
