@@ -1,12 +1,9 @@
 #include "scene/gltf_types.h"
 
 #include <algorithm>
-#include <array>
 #include <cstdint>
 #include <limits>
-#include <span>
 #include <string_view>
-#include <utility>
 
 #include "error.h"
 
@@ -15,118 +12,126 @@ namespace {
 
 using nlohmann::json;
 
-/// Members that are indices, sizes or enumerators: whole numbers from 0.
-constexpr std::array<std::string_view, 25> kWholeNumbers = {
-    "buffer",
-    "bufferView",
-    "byteLength",
-    "byteOffset",
-    "byteStride",
-    "camera",
-    "count",
-    "index",
-    "indices",
-    "material",
-    "mesh",
-    "mode",
-    "scene",
-    "skeleton",
-    "skin",
-    "source",
-    "sampler",
-    "texCoord",
-    "magFilter",
-    "minFilter",
-    "wrapS",
-    "wrapT",
-    "inverseBindMatrices",
-    "componentType",
-    "light",
+enum class Type { whole, wholes, small_count, number, numbers, vector2, vector3, vector4, truth, object, objects };
+
+/// A member of an object; what is not listed may be anything.
+struct Member {
+  std::string_view owner;  ///< the name of the member that holds the object, or its list: "" of the file, "*" any
+  std::string_view name;   ///< "*" any
+  Type type;
 };
 
-/// Lists of them, by the member that holds the object they are in.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 3> kWholeNumberLists = {
-    {{"scenes", "nodes"}, {"nodes", "children"}, {"skins", "joints"}}};
+/// The first that fits counts. Bounds of accessors are not looked at: exporters write null for NaN. How many numbers a
+/// core member has is looked at later; nobody else counts those of an extension.
+constexpr Member kMembers[] = {
+    {"", "accessors", Type::objects},
+    {"", "buffers", Type::objects},
+    {"", "bufferViews", Type::objects},
+    {"", "cameras", Type::objects},
+    {"", "images", Type::objects},
+    {"", "materials", Type::objects},
+    {"", "meshes", Type::objects},
+    {"", "nodes", Type::objects},
+    {"", "samplers", Type::objects},
+    {"", "scenes", Type::objects},
+    {"", "skins", Type::objects},
+    {"", "textures", Type::objects},
+    {"meshes", "primitives", Type::objects},
+    {"primitives", "targets", Type::objects},
+    {"KHR_lights_punctual", "lights", Type::objects},
 
-constexpr std::array<std::string_view, 14> kObjectLists = {
-    "accessors", "buffers",  "bufferViews", "cameras", "images",  "materials", "meshes",
-    "nodes",     "samplers", "scenes",      "skins",   "targets", "textures",  "primitives",
+    {"attributes", "*", Type::whole},
+    {"targets", "*", Type::whole},
+    {"scenes", "nodes", Type::wholes},
+    {"nodes", "children", Type::wholes},
+    {"skins", "joints", Type::wholes},
+    {"sparse", "count", Type::small_count},
+    {"sparse", "indices", Type::object},
+    {"*", "buffer", Type::whole},
+    {"*", "bufferView", Type::whole},
+    {"*", "byteLength", Type::whole},
+    {"*", "byteOffset", Type::whole},
+    {"*", "byteStride", Type::whole},
+    {"*", "camera", Type::whole},
+    {"*", "componentType", Type::whole},
+    {"*", "count", Type::whole},
+    {"*", "index", Type::whole},
+    {"*", "indices", Type::whole},
+    {"*", "inverseBindMatrices", Type::whole},
+    {"*", "light", Type::whole},
+    {"*", "magFilter", Type::whole},
+    {"*", "material", Type::whole},
+    {"*", "mesh", Type::whole},
+    {"*", "minFilter", Type::whole},
+    {"*", "mode", Type::whole},
+    {"*", "sampler", Type::whole},
+    {"*", "scene", Type::whole},
+    {"*", "skeleton", Type::whole},
+    {"*", "skin", Type::whole},
+    {"*", "source", Type::whole},
+    {"*", "texCoord", Type::whole},
+    {"*", "wrapS", Type::whole},
+    {"*", "wrapT", Type::whole},
+
+    {"nodes", "matrix", Type::numbers},
+    {"nodes", "rotation", Type::numbers},
+    {"nodes", "scale", Type::numbers},
+    {"nodes", "translation", Type::numbers},
+    {"nodes", "weights", Type::numbers},
+    {"meshes", "weights", Type::numbers},
+    {"materials", "emissiveFactor", Type::numbers},
+    {"pbrMetallicRoughness", "baseColorFactor", Type::numbers},
+    {"lights", "color", Type::vector3},
+    {"KHR_materials_pbrSpecularGlossiness", "diffuseFactor", Type::vector4},
+    {"KHR_materials_pbrSpecularGlossiness", "specularFactor", Type::vector3},
+    {"KHR_materials_specular", "specularColorFactor", Type::vector3},
+    {"KHR_materials_volume", "attenuationColor", Type::vector3},
+    {"KHR_texture_transform", "offset", Type::vector2},
+    {"KHR_texture_transform", "scale", Type::vector2},
+    {"*", "alphaCutoff", Type::number},
+    {"*", "aspectRatio", Type::number},
+    {"*", "attenuationDistance", Type::number},
+    {"*", "emissiveStrength", Type::number},
+    {"*", "glossinessFactor", Type::number},
+    {"*", "innerConeAngle", Type::number},
+    {"*", "intensity", Type::number},
+    {"*", "ior", Type::number},
+    {"*", "metallicFactor", Type::number},
+    {"*", "outerConeAngle", Type::number},
+    {"*", "range", Type::number},
+    {"*", "rotation", Type::number},
+    {"*", "roughnessFactor", Type::number},
+    {"*", "scale", Type::number},
+    {"*", "specularFactor", Type::number},
+    {"*", "strength", Type::number},
+    {"*", "thicknessFactor", Type::number},
+    {"*", "transmissionFactor", Type::number},
+    {"*", "xmag", Type::number},
+    {"*", "yfov", Type::number},
+    {"*", "ymag", Type::number},
+    {"*", "zfar", Type::number},
+    {"*", "znear", Type::number},
+    {"KHR_node_visibility", "visible", Type::truth},
+
+    {"*", "attributes", Type::object},
+    {"*", "baseColorTexture", Type::object},
+    {"*", "diffuseTexture", Type::object},
+    {"*", "emissiveTexture", Type::object},
+    {"*", "metallicRoughnessTexture", Type::object},
+    {"*", "normalTexture", Type::object},
+    {"*", "occlusionTexture", Type::object},
+    {"*", "pbrMetallicRoughness", Type::object},
+    {"*", "sparse", Type::object},
+    {"*", "specularColorTexture", Type::object},
+    {"*", "specularGlossinessTexture", Type::object},
+    {"*", "specularTexture", Type::object},
+    {"*", "spot", Type::object},
+    {"*", "thicknessTexture", Type::object},
+    {"*", "transmissionTexture", Type::object},
 };
-
-constexpr std::array<std::string_view, 15> kObjects = {
-    "attributes",
-    "baseColorTexture",
-    "diffuseTexture",
-    "emissiveTexture",
-    "metallicRoughnessTexture",
-    "normalTexture",
-    "occlusionTexture",
-    "pbrMetallicRoughness",
-    "sparse",
-    "specularColorTexture",
-    "specularGlossinessTexture",
-    "specularTexture",
-    "spot",
-    "thicknessTexture",
-    "transmissionTexture",
-};
-
-/// Members that are a number. (Bounds of accessors are not looked at: exporters write null for NaN.)
-constexpr std::array<std::string_view, 23> kNumbers = {
-    "alphaCutoff",
-    "aspectRatio",
-    "attenuationDistance",
-    "emissiveStrength",
-    "glossinessFactor",
-    "innerConeAngle",
-    "intensity",
-    "ior",
-    "metallicFactor",
-    "outerConeAngle",
-    "range",
-    "rotation",
-    "roughnessFactor",
-    "scale",
-    "specularFactor",
-    "strength",
-    "thicknessFactor",
-    "transmissionFactor",
-    "xmag",
-    "yfov",
-    "ymag",
-    "zfar",
-    "znear",
-};
-
-/// Lists of numbers, by the member that holds the object they are in. (How many is looked at later.)
-constexpr std::array<std::pair<std::string_view, std::string_view>, 8> kNumberLists = {
-    {{"nodes", "matrix"},
-     {"nodes", "rotation"},
-     {"nodes", "scale"},
-     {"nodes", "translation"},
-     {"nodes", "weights"},
-     {"meshes", "weights"},
-     {"materials", "emissiveFactor"},
-     {"pbrMetallicRoughness", "baseColorFactor"}}};
-
-/// A list of at least so many numbers.
-struct Vector {
-  std::string_view key;  ///< of the object that it is in
-  std::string_view name;
-  std::size_t length;
-};
-
-/// What nobody counts later.
-constexpr std::array<Vector, 7> kVectors = {{{"KHR_materials_volume", "attenuationColor", 3},
-                                             {"KHR_materials_specular", "specularColorFactor", 3},
-                                             {"KHR_materials_pbrSpecularGlossiness", "diffuseFactor", 4},
-                                             {"KHR_materials_pbrSpecularGlossiness", "specularFactor", 3},
-                                             {"KHR_texture_transform", "offset", 2},
-                                             {"KHR_texture_transform", "scale", 2},
-                                             {"lights", "color", 3}}};
 
 /// Extensions that are looked into; what is compressed has checks of its own, members of others are theirs.
-constexpr std::array<std::string_view, 12> kExtensions = {
+constexpr std::string_view kExtensions[] = {
     "EXT_mesh_gpu_instancing", "EXT_texture_webp",
     "KHR_lights_punctual",     "KHR_materials_emissive_strength",
     "KHR_materials_ior",       "KHR_materials_pbrSpecularGlossiness",
@@ -135,77 +140,71 @@ constexpr std::array<std::string_view, 12> kExtensions = {
     "KHR_node_visibility",     "KHR_texture_transform",
 };
 
-[[noreturn]] void refuse(const std::string& path, const std::string& place, const std::string& name, const json& member,
-                         const std::string& missed) {
+bool are_all(const json& list, bool (json::*is)() const noexcept, std::size_t least = 0) {
+  return list.is_array() && list.size() >= least &&
+         std::ranges::all_of(list, [&](const json& one) { return (one.*is)(); });
+}
+
+/// What `value` is not, or empty.
+std::string_view missed_type(const json& value, Type type) {
+  constexpr auto kIntMax = static_cast<std::uint64_t>(std::numeric_limits<std::int32_t>::max());
+  const auto unless = [](bool holds, std::string_view what) { return holds ? "" : what; };
+  switch (type) {
+    case Type::whole:
+      return unless(value.is_number_unsigned(), "a whole number from 0");
+    case Type::wholes:
+      return unless(are_all(value, &json::is_number_unsigned), "a list of whole numbers from 0");
+    case Type::objects:
+      return unless(are_all(value, &json::is_object), "a list of objects");
+    case Type::small_count:
+      if (!value.is_number_unsigned()) return "a whole number from 0";
+      return unless(value.get<std::uint64_t>() <= kIntMax, "a number below 2^31");
+    default:
+      break;
+  }
+  if (value.is_null()) return "";  // what some exporters write for what they do not know
+  switch (type) {
+    case Type::number:
+      return unless(value.is_number(), "a number");
+    case Type::numbers:
+      return unless(are_all(value, &json::is_number), "a list of numbers");
+    case Type::vector2:
+      return unless(are_all(value, &json::is_number, 2), "a list of 2 numbers");
+    case Type::vector3:
+      return unless(are_all(value, &json::is_number, 3), "a list of 3 numbers");
+    case Type::vector4:
+      return unless(are_all(value, &json::is_number, 4), "a list of 4 numbers");
+    case Type::truth:
+      return unless(value.is_boolean(), "true or false");
+    default:
+      return unless(value.is_object(), "an object");
+  }
+}
+
+void check_type(const json& value, Type type, const std::string& name, const std::string& place,
+                const std::string& path) {
+  const std::string_view missed = missed_type(value, type);
+  if (missed.empty()) return;
   throw Error(ErrorKind::refused, path + ": " + (place.empty() ? "" : place + ": ") + name + " is " +
-                                      member.dump().substr(0, 40) + ", not " + missed);
+                                      value.dump().substr(0, 40) + ", not " + std::string(missed));
 }
 
-bool is_one_of(std::string_view name, std::span<const std::string_view> names) {
-  return std::ranges::find(names, name) != names.end();
-}
-
-bool is_list_of(const json& member, bool (*holds)(const json&)) {
-  return member.is_array() && std::ranges::all_of(member, holds);
-}
-
-bool is_whole(const json& member) {
-  return member.is_number_unsigned();
-}
-bool is_number(const json& member) {
-  return member.is_number();
-}
-bool is_object(const json& member) {
-  return member.is_object();
-}
-
-bool is_one_of(const std::string& key, const std::string& name,
-               std::span<const std::pair<std::string_view, std::string_view>> members) {
-  return std::ranges::find(members, std::pair<std::string_view, std::string_view>(key, name)) != members.end();
-}
-
-/// What member `name` of an object that is called `key` is not, or empty.
-std::string missed_type(const std::string& key, const std::string& name, const json& member) {
-  const bool is_attribute = key == "attributes" || key == "targets";
-  if (is_attribute || (is_one_of(name, kWholeNumbers) && !(key == "sparse" && name == "indices"))) {
-    if (!is_whole(member)) return "a whole number from 0";
-  }
-  constexpr double kIntMax = std::numeric_limits<std::int32_t>::max();
-  if (key == "sparse" && name == "count" && member.get<double>() > kIntMax) return "a number below 2^31";
-  if (is_one_of(key, name, kWholeNumberLists)) {
-    return is_list_of(member, is_whole) ? "" : "a list of whole numbers from 0";
-  }
-  const bool is_lights = key == "KHR_lights_punctual" && name == "lights";
-  if (is_lights || (is_one_of(name, kObjectLists) && (key.empty() || key == "meshes" || key == "primitives"))) {
-    return is_list_of(member, is_object) ? "" : "a list of objects";
-  }
-  if (member.is_null()) return "";  // what some exporters write for what they do not know
-  if (key == "KHR_node_visibility" && name == "visible") return member.is_boolean() ? "" : "true or false";
-  for (const Vector& vector : kVectors) {
-    if (vector.key != key || vector.name != name) continue;
-    const bool holds = is_list_of(member, is_number) && member.size() >= vector.length;
-    return holds ? "" : "a list of " + std::to_string(vector.length) + " numbers";
-  }
-  if (is_one_of(name, kObjects)) return member.is_object() ? "" : "an object";
-  if (is_one_of(key, name, kNumberLists)) return is_list_of(member, is_number) ? "" : "a list of numbers";
-  return is_one_of(name, kNumbers) && !member.is_number() ? "a number" : "";
-}
-
-void check_members(const json& value, const std::string& key, const std::string& place, const std::string& path);
+void check_value(const json& value, const std::string& owner, const std::string& place, const std::string& path);
 
 void check_extensions(const json& extensions, const std::string& place, const std::string& path) {
   if (!extensions.is_object()) return;
   for (const auto& [name, extension] : extensions.items()) {
-    if (!is_one_of(name, kExtensions)) continue;
-    if (!extension.is_object()) refuse(path, place, name, extension, "an object");
-    check_members(extension, name, place, path);
+    if (std::ranges::find(kExtensions, name) == std::end(kExtensions)) continue;
+    check_type(extension, Type::object, name, place, path);
+    check_value(extension, name, place, path);
   }
 }
 
-void check_members(const json& value, const std::string& key, const std::string& place, const std::string& path) {
+/// Checks what is in `value`, the member `owner` of an object or an element of such a list.
+void check_value(const json& value, const std::string& owner, const std::string& place, const std::string& path) {
   if (value.is_array()) {
     for (std::size_t i = 0; i < value.size(); ++i) {
-      check_members(value[i], key, place.empty() ? gltf_element_name(key, i) : place, path);
+      check_value(value[i], owner, place.empty() ? gltf_element_name(owner, i) : place, path);
     }
     return;
   }
@@ -216,9 +215,12 @@ void check_members(const json& value, const std::string& key, const std::string&
       check_extensions(member, place, path);
       continue;
     }
-    const std::string missed = missed_type(key, name, member);
-    if (!missed.empty()) refuse(path, place, name, member, missed);
-    check_members(member, name, place, path);
+    const auto fits = [&](const Member& one) {
+      return (one.owner == "*" || one.owner == owner) && (one.name == "*" || one.name == name);
+    };
+    const auto found = std::ranges::find_if(kMembers, fits);
+    if (found != std::end(kMembers)) check_type(member, found->type, name, place, path);
+    check_value(member, name, place, path);
   }
 }
 
@@ -231,7 +233,7 @@ std::string gltf_element_name(const std::string& array, std::size_t index) {
 }
 
 void check_gltf_types(const json& root, const std::string& path) {
-  check_members(root, "", "", path);
+  check_value(root, "", "", path);
 }
 
 }  // namespace vernier
