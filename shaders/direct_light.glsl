@@ -20,17 +20,28 @@ vec3 reflected_light(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) 
   return reflected * light.irradiance;
 }
 
-// Where the way to a light in `direction` begins. A triangle that faces away from it may be lit all the same, where its
-// vertex normals round it off: by way of the rounded surface, from which the triangle itself may stand in the way.
-vec3 light_ray_origin(IN(SurfacePoint) surface, IN(vec3) direction) {
-  if (dot_product(surface.geometric_normal, direction) > 0.0f) return spawn_origin(surface, direction);
-  return spawn_origin(surface, surface.geometric_normal) + surface.rise;
+// Whether the way to the light of a ray that starts above the triangle, on its rounded surface, comes down through it. By
+// the weights there: a search would not find a triangle that its ray starts on, as far as it can tell.
+bool crosses_own(IN(SurfacePoint) surface, IN(LightSample) light) {
+  vec3 way = light.directional ? light.direction : light.offset - surface.rise;
+  float height = dot_product(surface.geometric_normal, surface.rise);
+  float fall = -dot_product(surface.geometric_normal, way);
+  vec3 aside = surface.rise * fall + way * height;
+  // Everything times the area and the fall, which may be 0.
+  float b1 = surface.b1 * surface.area * fall + dot_product(aside, surface.across1);
+  float b2 = surface.b2 * surface.area * fall + dot_product(aside, surface.across2);
+  bool outside = b1 < 0.0f || b2 < 0.0f || b1 + b2 > surface.area * fall;
+  return !outside;
 }
 
 // Asks the lights from visit.next_light on, up to the first whose light has to be proven by a shadow ray: the ray is put
-// into `visit`, and visit.value is what the light adds by the surface alone; true. Lights that need no such ray are added
-// to `sum`. False: no light is left, or a loop limit cut the search off and visit.next_light says where.
-bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_viewer, INOUT(LightVisit) visit, INOUT(vec3) sum) {
+// into `visit`, and visit.value is what the light adds by the surface alone; PHASE_SHADOW. Lights that need no such ray are
+// added to `sum`. PHASE_LIGHT: no light is left, or a loop limit cut the search off and visit.next_light says where.
+// A triangle that faces away from a light may be lit all the same where its vertex normals round it off: from above it, if
+// nothing lies in between. That is asked first, PHASE_RISE; with `rise_is_free` it has been, for the light before the next.
+uint ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_viewer, IN(bool) rise_is_free, INOUT(LightVisit) visit,
+                INOUT(vec3) sum) {
+  if (rise_is_free) visit.next_light--;
   uint light_count = steering_constants().light_count;
   bool found = false;
   vec3 value = vec3(0.0f);
@@ -49,8 +60,8 @@ bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_vi
       LightSample light = sample_light(fetch_light(visit.next_light), surface.position);
       visit.next_light++;
       float cosine = dot_product(surface.normal, light.direction);
-      bool faces = rises || dot_product(surface.geometric_normal, light.direction) > 0.0f;
-      bool lit = faces && cosine > 0.0f && max3(light.irradiance) > 0.0f;
+      bool faces = dot_product(surface.geometric_normal, light.direction) > 0.0f;
+      bool lit = (faces || (rises && !crosses_own(surface, light))) && cosine > 0.0f && max3(light.irradiance) > 0.0f;
       vec3 reflected = lit ? reflected_light(surface, terms, to_viewer, light, cosine) : vec3(0.0f);
       if (!effect_on(EFFECT_SHADOWS)) {
         sum += reflected;
@@ -69,15 +80,21 @@ bool ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_vi
     }
   }
   // Of the ray nothing matters where none was found.
-  vec3 origin = light_ray_origin(surface, direction);
+  bool raised = dot_product(surface.geometric_normal, direction) <= 0.0f;
+  bool rises_first = raised && !rise_is_free;
+  vec3 origin = spawn_origin(surface, raised ? surface.geometric_normal : direction);
+  vec3 above = raised_origin(surface);
+  if (raised && rise_is_free) origin = above;
   // Towards a point light the ray ends at t = 1, at the light; the offset of its start is taken into account.
-  visit.ray = Ray(origin, directional ? direction : offset + (surface.position - origin));
+  vec3 way = directional ? direction : offset + (surface.position - origin);
+  visit.ray = Ray(origin, rises_first ? above - origin : way);
   visit.t_min = 0.0f;
   visit.after_triangle = NONE;
-  visit.t_max = directional ? LARGEST_FLOAT : 1.0f;
+  visit.t_max = directional && !rises_first ? LARGEST_FLOAT : 1.0f;
   visit.value = value;
   visit.optical_depth = vec3(0.0f);
-  return found;
+  uint asked = rises_first ? PHASE_RISE : PHASE_SHADOW;
+  return found ? asked : PHASE_LIGHT;
 }
 
 // Whether all lights have been asked.

@@ -41,10 +41,12 @@ struct LightVisit {
 };
 
 // What an invocation is busy with: it looks for the hit of the current ray; or whether the shadow ray gets through; or,
-// without a ray, it has the next light to ask (only where a loop limit or a wall without light left it there).
+// without a ray, it has the next light to ask (only where a loop limit or a wall without light left it there); or it looks
+// whether anything lies between the hit and the rounded surface above it (direct_light.glsl).
 const uint PHASE_HIT = 0u;
 const uint PHASE_SHADOW = 1u;
 const uint PHASE_LIGHT = 2u;
+const uint PHASE_RISE = 3u;
 
 struct Path {
   uint job;  // NONE: the invocation has none

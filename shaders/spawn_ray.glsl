@@ -17,17 +17,31 @@ vec3 kept_in_world(IN(vec3) origin) {
   return back;
 }
 
-// The hit point moved along the geometric normal to the side that `direction` leaves on, by the error bound's extent along
-// the normal: the point then lies on that side of the exact plane. Waechter and Binder 2019 describe the problem ("A Fast
-// and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems 6); the bound is that of SurfacePoint.
-vec3 spawn_origin(IN(SurfacePoint) surface, IN(vec3) direction) {
+// How far along the geometric normal a ray starts: the error bound's extent, so that it lies on that side of the exact plane.
+// Waechter and Binder 2019 describe the problem ("A Fast and Robust Method for Avoiding Self-Intersection", Ray Tracing Gems
+// 6); the bound is that of SurfacePoint.
+float spawn_distance(IN(SurfacePoint) surface) {
   float distance = dot_product(abs(surface.geometric_normal), surface.position_error);
   if (INSTANCED) distance += surface.normal_error;
   if (level_at(SPOT_SPAWN) == LEVEL_FAST) distance = FIXED_OFFSET;
   if (mutated(MUTATION_METRE_OFFSET)) distance = FIXED_OFFSET / render_constants().metres_per_unit;
+  return distance;
+}
+
+// The hit point moved along the geometric normal to the side that `direction` leaves on.
+vec3 spawn_origin(IN(SurfacePoint) surface, IN(vec3) direction) {
+  float distance = spawn_distance(surface);
   bool above = dot_product(direction, surface.geometric_normal) >= 0.0f;
   precise vec3 origin = surface.position + surface.geometric_normal * (above ? distance : -distance);
   return mutated(MUTATION_WORLD_ORIGIN) ? kept_in_world(origin) : origin;
+}
+
+// The hit point moved to the rounded surface above it, and above the triangle's plane however little that rises: the
+// rise is known to four roundings of its size, and one sum rounds at the size of the place, as at spawn_origin.
+vec3 raised_origin(IN(SurfacePoint) surface) {
+  float distance = spawn_distance(surface) + 4.0f * HALF_ULP_OF_ONE * dot_product(abs(surface.geometric_normal), abs(surface.rise));
+  precise vec3 origin = surface.position + (surface.geometric_normal * distance + surface.rise);
+  return origin;
 }
 
 #endif

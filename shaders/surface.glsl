@@ -14,6 +14,10 @@ struct SurfacePoint {
   uint material;
   float normal_error;    // with INSTANCED: TrianglePoint's
   vec3 rise;  // from `position` to the surface that the vertex normals round the triangle off to, where that lies above
+  // The weights of corners 1 and 2, and by how much they change on a way along the triangle: its product with these / area.
+  float b1, b2;
+  vec3 across1, across2;
+  float area;
 };
 
 // What the corners' normals say at a hit.
@@ -128,6 +132,11 @@ SurfacePoint surface_point(IN(TrianglePoint) point, IN(DeviceMaterial) material,
   surface.geometric_normal = surface.front ? geometric : -geometric;
   surface.normal = surface.front ? normal : -normal;
   surface.rise = smooth_at.rise;
+  surface.b1 = point.b1;
+  surface.b2 = point.b2;
+  surface.across1 = cross_product(point.e2, geometric);
+  surface.across2 = cross_product(geometric, point.e1);
+  surface.area = dot_product(point.e1, surface.across1);
   surface.material = point.vertices.w;
   return surface;
 }

@@ -81,7 +81,7 @@ void scatter(IN(PathRay) parent, IN(SurfacePoint) surface, IN(DeviceMaterial) ma
 
 // The search that the path waits for. In PHASE_LIGHT, and without a job, there is nothing to look for: no ray.
 Search path_search(IN(Path) path) {
-  bool shadow = path.phase == PHASE_SHADOW;
+  bool shadow = path.phase == PHASE_SHADOW || path.phase == PHASE_RISE;
   Ray ray = Ray(path.current.origin, path.current.direction);
   if (shadow) ray = path.visit.ray;
   if (path.phase == PHASE_LIGHT || path.job == NONE) ray.direction = vec3(0.0f);
@@ -107,9 +107,9 @@ void shade_lit(INOUT(Path) path, INOUT(Step) result, IN(HitSurface) surface, IN(
   }
   result.ray_done = true;
   if ((effect_on(EFFECT_POINT_LIGHTS) || effect_on(EFFECT_DIRECTIONAL_LIGHTS)) && surface.alpha > 0.0f) {
-    result.asks_light = ask_lights(at, surface.terms, -ray.direction, path.visit, radiance);
+    path.phase = ask_lights(at, surface.terms, -ray.direction, path.phase == PHASE_RISE, path.visit, radiance);
     path.visit.value *= weight;
-    path.phase = result.asks_light ? PHASE_SHADOW : PHASE_LIGHT;
+    result.asks_light = path.phase != PHASE_LIGHT;
     result.ray_done = !result.asks_light && lights_are_done(path.visit);
   }
   path.radiance += weight * radiance;
@@ -170,6 +170,7 @@ Step step_of(INOUT(Path) path, IN(Found) found) {
     result.finished = found.finished && texels.finished;
     if (result.finished) {
       if (path.phase == PHASE_SHADOW && !struck) path.radiance += arriving_light(path.visit);
+      if (path.phase == PHASE_RISE && struck) path.phase = PHASE_LIGHT;
       if (in_the_way) {
         note_run(EFFECT_TINTED_SHADOWS);
         pass_surface(path.visit, hit, surface);

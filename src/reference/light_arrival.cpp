@@ -43,41 +43,10 @@ Passage passage(const Scene& scene, const Triangle& triangle, const glm::dvec3& 
   return {1.0 - alpha + alpha * terms.transmission * through, !material.thin_walled};
 }
 
-// Light on its way through what it meets.
-class Transmittance {
- public:
-  explicit Transmittance(const TracedScene& scene) : scene_(scene) {}
-
-  void cross(const Triangle& triangle, const Crossing& crossing, const glm::dvec3& direction) {
-    const Passage passed = passage(*scene_.scene, triangle, crossing.weights, direction);
-    share_ *= passed.share;
-    if (!passed.absorbs) return;
-    const double signed_metres = glm::dot(triangle.normal, direction) > 0.0 ? crossing.t : -crossing.t;
-    optical_depth_ += signed_metres * glm::dvec3(scene_.scene->materials[triangle.material].absorption);
-  }
-  bool is_over() const { return share_ == glm::dvec3(0.0); }
-  glm::dvec3 total() const { return share_ * glm::exp(-glm::max(optical_depth_, glm::dvec3(0.0))); }
-
- private:
-  const TracedScene& scene_;
-  glm::dvec3 share_ = glm::dvec3(1.0);
-  glm::dvec3 optical_depth_ = glm::dvec3(0.0);
-};
-
-void cross_all(const TracedScene& scene, const Ray& ray, double distance, std::uint32_t source, Transmittance& light) {
-  const ShearedRay sheared(ray, source, scene.baked.largest_coordinate);
-  visit_triangles(scene.tree, ray, distance, [&](std::uint32_t id) {
-    const Triangle& triangle = scene.baked.triangles[id];
-    const std::optional<Crossing> crossing = sheared.hit(triangle, id);
-    if (crossing && crossing->t < distance) light.cross(triangle, *crossing, ray.direction);
-    return light.is_over() ? -std::numeric_limits<double>::infinity() : distance;
-  });
-}
-
-// Where a ray in `direction`, which starts `rise` above the point of `weights` on `triangle`, comes down through it;
-// none where that is outside. By the weights, so that it is inside however small the rise.
-std::optional<Crossing> own_crossing(const Triangle& triangle, const glm::dvec3& weights, const glm::dvec3& rise,
-                                     const glm::dvec3& direction) {
+// Whether a ray in `direction`, which starts `rise` above the point of `weights` on `triangle`, comes down through it.
+// By the weights, so that it does however small the rise.
+bool crosses_own(const Triangle& triangle, const glm::dvec3& weights, const glm::dvec3& rise,
+                 const glm::dvec3& direction) {
   const double t = -glm::dot(rise, triangle.normal) / glm::dot(direction, triangle.normal);
   const glm::dvec3 aside = rise + t * direction;
   const glm::dvec3 e1 = triangle.corners[1] - triangle.corners[0];
@@ -85,9 +54,22 @@ std::optional<Crossing> own_crossing(const Triangle& triangle, const glm::dvec3&
   const glm::dvec3 area = glm::cross(e1, e2);
   const double to1 = glm::dot(glm::cross(aside, e2), area) / glm::dot(area, area);
   const double to2 = glm::dot(glm::cross(e1, aside), area) / glm::dot(area, area);
-  const Crossing crossing{t, weights + glm::dvec3(-to1 - to2, to1, to2)};
-  const glm::dvec3& at = crossing.weights;
-  return at.x >= 0.0 && at.y >= 0.0 && at.z >= 0.0 ? std::optional(crossing) : std::nullopt;
+  const glm::dvec3 at = weights + glm::dvec3(-to1 - to2, to1, to2);
+  return at.x >= 0.0 && at.y >= 0.0 && at.z >= 0.0;
+}
+
+// Whether no triangle but `source`, whatever its alpha, lies between `start` on that and `start` + `way`.
+bool is_free(const TracedScene& scene, const glm::dvec3& start, const glm::dvec3& way, std::uint32_t source) {
+  const Ray ray{start, glm::normalize(way)};
+  const double distance = glm::length(way);
+  const ShearedRay sheared(ray, source, scene.baked.largest_coordinate);
+  bool free = true;
+  visit_triangles(scene.tree, ray, distance, [&](std::uint32_t id) {
+    const std::optional<Crossing> crossing = sheared.hit(scene.baked.triangles[id], id);
+    free = free && !(crossing && crossing->t < distance);
+    return free ? distance : -std::numeric_limits<double>::infinity();
+  });
+  return free;
 }
 
 }  // namespace
@@ -107,9 +89,22 @@ std::optional<LightArrival> light_arrival(const Light& light, const glm::dvec3& 
 }
 
 glm::dvec3 transmittance(const TracedScene& scene, const Ray& ray, double distance, std::uint32_t source) {
-  Transmittance light(scene);
-  cross_all(scene, ray, distance, source, light);
-  return light.total();
+  const ShearedRay sheared(ray, source, scene.baked.largest_coordinate);
+  glm::dvec3 share(1.0);
+  glm::dvec3 optical_depth(0.0);
+  visit_triangles(scene.tree, ray, distance, [&](std::uint32_t id) {
+    const Triangle& triangle = scene.baked.triangles[id];
+    const std::optional<Crossing> crossing = sheared.hit(triangle, id);
+    if (!crossing || crossing->t >= distance) return distance;
+    const Passage passed = passage(*scene.scene, triangle, crossing->weights, ray.direction);
+    share *= passed.share;
+    if (passed.absorbs) {
+      const double signed_metres = glm::dot(triangle.normal, ray.direction) > 0.0 ? crossing->t : -crossing->t;
+      optical_depth += signed_metres * glm::dvec3(scene.scene->materials[triangle.material].absorption);
+    }
+    return share == glm::dvec3(0.0) ? -std::numeric_limits<double>::infinity() : distance;
+  });
+  return share * glm::exp(-glm::max(optical_depth, glm::dvec3(0.0)));
 }
 
 glm::dvec3 visibility(const TracedScene& scene, const Hit& hit, const ShadingFrame& frame,
@@ -120,12 +115,11 @@ glm::dvec3 visibility(const TracedScene& scene, const Hit& hit, const ShadingFra
   const bool ends = std::isfinite(arrival.distance);
   const glm::dvec3 way = ends ? arrival.distance * arrival.direction - frame.rise : arrival.direction;
   const Ray ray{frame.position + frame.rise, glm::normalize(way)};
-  const Triangle& triangle = scene.baked.triangles[hit.triangle];
-  Transmittance light(scene);
-  if (const auto crossing = own_crossing(triangle, hit.weights, frame.rise, ray.direction))
-    light.cross(triangle, *crossing, ray.direction);
-  if (!light.is_over()) cross_all(scene, ray, ends ? glm::length(way) : arrival.distance, hit.triangle, light);
-  return light.total();
+  if (crosses_own(scene.baked.triangles[hit.triangle], hit.weights, frame.rise, ray.direction) ||
+      !is_free(scene, frame.position, frame.rise, hit.triangle)) {
+    return glm::dvec3(0.0);
+  }
+  return transmittance(scene, ray, ends ? glm::length(way) : arrival.distance, hit.triangle);
 }
 
 }  // namespace vernier::reference

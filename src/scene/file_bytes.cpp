@@ -12,7 +12,7 @@ namespace vernier {
 namespace {
 
 // Beyond this the vertex counts would not fit the 31 bits of the parser.
-constexpr std::uint64_t kLargestText_bytes = std::uint64_t{1} << 34;
+constexpr std::uint64_t kLargestText = std::uint64_t{1} << 34;
 constexpr std::uint64_t kStartBytes = 512;
 
 [[noreturn]] void refuse(const std::string& place, const std::string& what) {
@@ -24,7 +24,8 @@ std::ifstream open_at_end(const std::string& path, const std::string& place) {
   std::error_code failure;
   // Opening a pipe would wait for its writer, a directory has no size: both are refused unopened.
   const auto status = std::filesystem::status(path, failure);
-  if (!std::filesystem::exists(status)) refuse(place, "the file does not exist");
+  if (status.type() == std::filesystem::file_type::not_found) refuse(place, "the file does not exist");
+  if (failure) refuse(place, failure.message());
   if (!std::filesystem::is_regular_file(status)) refuse(place, "not a regular file");
   std::ifstream file(path, std::ios::binary | std::ios::ate);
   if (!file) refuse(place, "the file cannot be opened");
@@ -73,7 +74,7 @@ std::vector<std::byte> read_file_bytes(const std::string& path, const std::strin
 }
 
 std::string read_text(const std::string& path) {
-  return read_whole<std::string>(path, path, kLargestText_bytes, [&](std::string_view start) {
+  return read_whole<std::string>(path, path, kLargestText, [&](std::string_view start) {
     const std::size_t zero = start.find('\0');
     if (zero != std::string_view::npos) refuse(path, "not a text file: byte " + std::to_string(zero) + " is 0");
   });

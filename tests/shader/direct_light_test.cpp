@@ -13,9 +13,11 @@ namespace {
 constexpr float kPi = std::numbers::pi_v<float>;
 constexpr vec3 kUp(0, 0, 1);
 
-/// A place on the plane z = 0 seen from above, whose rounding nobody knows to a micrometre.
+/// A place on the plane z = 0 seen from above, whose rounding nobody knows to a micrometre; a quarter of the way from
+/// corner 0 of a triangle to corners (1, 0, 0) and (0, 1, 0) from there.
 SurfacePoint floor_at(const vec3& place, const vec3& normal = kUp) {
-  return SurfacePoint{place, vec3(1e-6f), kUp, normal, true, 0u, 0.0f, vec3(0)};
+  return SurfacePoint{place,   vec3(1e-6f), kUp,   normal,        true,          0u,  0.0f,
+                      vec3(0), 0.25f,       0.25f, vec3(1, 0, 0), vec3(0, 1, 0), 1.0f};
 }
 
 ShadingTerms matte(const vec3& diffuse) {
@@ -116,12 +118,14 @@ struct Asked {
   LightVisit visit;
   vec3 sum;
   bool found;
+  uint phase;
 };
 
-Asked ask(const SurfacePoint& surface, const ShadingTerms& terms, uint next_light = 0u) {
-  Asked asked{no_visit(), vec3(0), false};
+Asked ask(const SurfacePoint& surface, const ShadingTerms& terms, uint next_light = 0u, bool rise_is_free = false) {
+  Asked asked{no_visit(), vec3(0), false, PHASE_LIGHT};
   asked.visit.next_light = next_light;
-  asked.found = ask_lights(surface, terms, kUp, asked.visit, asked.sum);
+  asked.phase = ask_lights(surface, terms, kUp, rise_is_free, asked.visit, asked.sum);
+  asked.found = asked.phase != PHASE_LIGHT;
   return asked;
 }
 
@@ -134,10 +138,20 @@ TEST(DirectLight, a_triangle_that_faces_away_is_asked_for_from_where_it_is_round
   surface.rise = vec3(0.5f, 0, -0.25f);
   EXPECT_FALSE(ask(surface, matte(vec3(1))).found) << "that would be below it";
   surface.rise = vec3(0, 0, 0.25f);
-  const Asked asked = ask(surface, matte(vec3(1)));
-  ASSERT_TRUE(asked.found);
-  EXPECT_EQ(asked.visit.ray.origin, vec3(1, 2, 0.25f + 1e-6f)) << "above the floor, though the light is below";
+  const Asked above = ask(surface, matte(vec3(1)));
+  ASSERT_EQ(above.phase, PHASE_RISE);
+  EXPECT_EQ(above.visit.ray.origin, vec3(1, 2, 1e-6f));
+  EXPECT_FLOAT_EQ(above.visit.ray.direction.z, 0.25f);
+  EXPECT_EQ(above.visit.t_max, 1.0f);
+  const Asked asked = ask(surface, matte(vec3(1)), above.visit.next_light, true);
+  ASSERT_EQ(asked.phase, PHASE_SHADOW);
+  EXPECT_EQ(asked.visit.next_light, 1u);
+  EXPECT_FLOAT_EQ(asked.visit.ray.origin.z, 0.25f + 1e-6f) << "above the floor, though the light is below";
   EXPECT_EQ(asked.visit.ray.direction, towards);
+  EXPECT_EQ(asked.visit.t_max, LARGEST_FLOAT);
+  surface.rise = vec3(0, 0, 0.0625f);
+  EXPECT_FALSE(ask(surface, matte(vec3(1))).found) << "1/4 aside it comes down through the triangle";
+  surface.rise = vec3(0, 0, 0.25f);
   surface.normal = glm::normalize(vec3(0, 1, 1));
   EXPECT_FALSE(ask(surface, matte(vec3(1))).found) << "the rounded surface faces away, too";
 }

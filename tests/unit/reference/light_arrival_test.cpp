@@ -212,7 +212,9 @@ TEST(Visibility, ATriangleThatFacesAwayIsDarkUnlessNormalsRoundItOff) {
   EXPECT_EQ(red_arriving(scene, from({3, 0, -1.125}, std::hypot(3, 1.125))), 1.0) << "1.5 down over 3 from up there";
   EXPECT_EQ(red_arriving(scene, from({3, 0, -2.25}, std::hypot(3, 2.25))), 0.0);
   material.base_color.w = 0.25f;
-  EXPECT_EQ(red_arriving(scene, from({1, 0, -0.8})), 0.75) << "a quarter of it is there";
+  EXPECT_EQ(red_arriving(scene, from({1, 0, -0.8})), 0.0) << "its own triangle is in the way whatever its alpha";
+  test::add_square(scene, 0.25f);
+  EXPECT_EQ(red_arriving(scene, from({1, 0, -0.1})), 0.0) << "what is above is behind another surface";
 }
 
 }  // namespace
