@@ -12,7 +12,20 @@ namespace {
 
 using nlohmann::json;
 
-enum class Type { whole, wholes, small_count, number, numbers, vector2, vector3, vector4, truth, object, objects };
+enum class Type {
+  whole,
+  wholes,
+  small_count,
+  number,
+  numbers,
+  vector2,
+  vector3,
+  vector4,
+  truth,
+  text,
+  object,
+  objects
+};
 
 /// A member of an object; what is not listed may be anything.
 struct Member {
@@ -22,7 +35,7 @@ struct Member {
 };
 
 /// The first that fits counts. Bounds of accessors are not looked at: exporters write null for NaN. How many numbers a
-/// core member has is looked at later; nobody else counts those of an extension.
+/// node's member has is looked at later; nobody else counts those of others.
 constexpr Member kMembers[] = {
     {"", "accessors", Type::objects},
     {"", "buffers", Type::objects},
@@ -79,8 +92,8 @@ constexpr Member kMembers[] = {
     {"nodes", "translation", Type::numbers},
     {"nodes", "weights", Type::numbers},
     {"meshes", "weights", Type::numbers},
-    {"materials", "emissiveFactor", Type::numbers},
-    {"pbrMetallicRoughness", "baseColorFactor", Type::numbers},
+    {"materials", "emissiveFactor", Type::vector3},
+    {"pbrMetallicRoughness", "baseColorFactor", Type::vector4},
     {"lights", "color", Type::vector3},
     {"KHR_materials_pbrSpecularGlossiness", "diffuseFactor", Type::vector4},
     {"KHR_materials_pbrSpecularGlossiness", "specularFactor", Type::vector3},
@@ -111,7 +124,9 @@ constexpr Member kMembers[] = {
     {"*", "ymag", Type::number},
     {"*", "zfar", Type::number},
     {"*", "znear", Type::number},
+    {"accessors", "normalized", Type::truth},
     {"KHR_node_visibility", "visible", Type::truth},
+    {"lights", "type", Type::text},
 
     {"*", "attributes", Type::object},
     {"*", "baseColorTexture", Type::object},
@@ -176,6 +191,8 @@ std::string_view missed_type(const json& value, Type type) {
       return unless(are_all(value, &json::is_number, 4), "a list of 4 numbers");
     case Type::truth:
       return unless(value.is_boolean(), "true or false");
+    case Type::text:
+      return unless(value.is_string(), "a text");
     default:
       return unless(value.is_object(), "an object");
   }

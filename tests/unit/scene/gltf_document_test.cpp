@@ -124,7 +124,7 @@ TEST(GltfDocument, numbers_are_numbers) {
   refusal("/meshes/0/primitives", nlohmann::json::object(), "mesh 0: primitives is {}, not a list of objects");
   refusal("/meshes/0/primitives/0/attributes/POSITION", "0", "mesh 0: POSITION is \"0\", not a whole number from 0");
   refusal("/materials/0/pbrMetallicRoughness", 1, "material 0: pbrMetallicRoughness is 1, not an object");
-  refusal("/materials/0/emissiveFactor", 1, "material 0: emissiveFactor is 1, not a list of numbers");
+  refusal("/materials/0/emissiveFactor", 1, "material 0: emissiveFactor is 1, not a list of 3 numbers");
   refusal("/accessors/0/sparse", {{"count", 4294967297}}, "accessor 0: count is 4294967297, not a number below 2^31");
 }
 
@@ -149,6 +149,7 @@ TEST(GltfDocument, members_of_extensions_have_their_types) {
   refusal("/nodes/0", {{"KHR_node_visibility", {{"visible", 0}}}}, "node 0: visible is 0, not true or false");
   refusal("/nodes/0", {{"KHR_lights_punctual", {{"light", "0"}}}}, "node 0: light is \"0\", not a whole number");
   refusal("", {{"KHR_lights_punctual", {{"lights", 1}}}}, "lights is 1, not a list of objects");
+  refusal("", {{"KHR_lights_punctual", {{"lights", {{{"type", 5}}}}}}}, "light 0: type is 5, not a text");
   refusal("", {{"KHR_lights_punctual", {{"lights", {{{"type", "point"}, {"intensity", "1"}}}}}}},
           "light 0: intensity is \"1\", not a number");
 }
