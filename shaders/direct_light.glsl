@@ -20,8 +20,9 @@ vec3 reflected_light(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) 
   return reflected * light.irradiance;
 }
 
-// Whether the way to the light of a ray that starts above the triangle, on its rounded surface, comes down through it. By
-// the weights there: a search would not find a triangle that its ray starts on, as far as it can tell.
+// A triangle that faces away from a light may be lit all the same where its vertex normals round it off: from above it, if
+// nothing lies in between. Whether the way from there to the light comes down through the triangle is told by the weights:
+// a search would not find a triangle that its ray starts on, as far as it can tell.
 bool crosses_own(IN(SurfacePoint) surface, IN(LightSample) light) {
   vec3 way = light.directional ? light.direction : light.offset - surface.rise;
   float height = dot_product(surface.geometric_normal, surface.rise);
@@ -34,11 +35,30 @@ bool crosses_own(IN(SurfacePoint) surface, IN(LightSample) light) {
   return !outside;
 }
 
-// Asks the lights from visit.next_light on, up to the first whose light has to be proven by a shadow ray: the ray is put
-// into `visit`, and visit.value is what the light adds by the surface alone; PHASE_SHADOW. Lights that need no such ray are
+// Puts the ray that has to get through for a light into `visit`, and tells which it is: to the light (PHASE_SHADOW), or, where
+// the triangle faces away, first to the rounded surface above it (PHASE_RISE), unless that `rise_is_free`. `direction`, `offset`
+// and `directional` are LightSample's.
+uint aim_ray(IN(SurfacePoint) surface, IN(vec3) direction, IN(vec3) offset, IN(bool) directional, IN(bool) rise_is_free,
+             INOUT(LightVisit) visit) {
+  bool raised = dot_product(surface.geometric_normal, direction) <= 0.0f;
+  bool rises_first = raised && !rise_is_free;
+  vec3 origin = spawn_origin(surface, raised ? surface.geometric_normal : direction);
+  vec3 above = raised_origin(surface);
+  if (raised && rise_is_free) origin = above;
+  // Towards a point light the ray ends at t = 1, at the light; the offset of its start is taken into account.
+  vec3 way = directional ? direction : offset + (surface.position - origin);
+  visit.ray = Ray(origin, rises_first ? above - origin : way);
+  visit.t_min = 0.0f;
+  visit.after_triangle = NONE;
+  visit.t_max = directional && !rises_first ? LARGEST_FLOAT : 1.0f;
+  visit.optical_depth = vec3(0.0f);
+  return rises_first ? PHASE_RISE : PHASE_SHADOW;
+}
+
+// Asks the lights from visit.next_light on, up to the first whose light has to be proven by a ray: that is put into `visit`,
+// and visit.value is what the light adds by the surface alone; the phase is aim_ray's. Lights that need no such ray are
 // added to `sum`. PHASE_LIGHT: no light is left, or a loop limit cut the search off and visit.next_light says where.
-// A triangle that faces away from a light may be lit all the same where its vertex normals round it off: from above it, if
-// nothing lies in between. That is asked first, PHASE_RISE; with `rise_is_free` it has been, for the light before the next.
+// With `rise_is_free` the rise for the light before the next has been asked for.
 uint ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_viewer, IN(bool) rise_is_free, INOUT(LightVisit) visit,
                 INOUT(vec3) sum) {
   if (rise_is_free) visit.next_light--;
@@ -80,20 +100,8 @@ uint ask_lights(IN(SurfacePoint) surface, IN(ShadingTerms) terms, IN(vec3) to_vi
     }
   }
   // Of the ray nothing matters where none was found.
-  bool raised = dot_product(surface.geometric_normal, direction) <= 0.0f;
-  bool rises_first = raised && !rise_is_free;
-  vec3 origin = spawn_origin(surface, raised ? surface.geometric_normal : direction);
-  vec3 above = raised_origin(surface);
-  if (raised && rise_is_free) origin = above;
-  // Towards a point light the ray ends at t = 1, at the light; the offset of its start is taken into account.
-  vec3 way = directional ? direction : offset + (surface.position - origin);
-  visit.ray = Ray(origin, rises_first ? above - origin : way);
-  visit.t_min = 0.0f;
-  visit.after_triangle = NONE;
-  visit.t_max = directional && !rises_first ? LARGEST_FLOAT : 1.0f;
+  uint asked = aim_ray(surface, direction, offset, directional, rise_is_free, visit);
   visit.value = value;
-  visit.optical_depth = vec3(0.0f);
-  uint asked = rises_first ? PHASE_RISE : PHASE_SHADOW;
   return found ? asked : PHASE_LIGHT;
 }
 
