@@ -21,7 +21,7 @@ struct Children {
 struct Step {
   Children children;  // of the current ray, where it is done
   bool ray_done;
-  bool asks_light;    // a shadow ray begins
+  bool asks_light;    // a shadow ray begins, or the search for what lies below a rounded surface; both count as shadow rays
   bool finished;      // false: cut off by a loop limit, nothing has changed and the search has to be made again
 };
 

@@ -6,8 +6,8 @@
 
 namespace vernier {
 
-// Members of the JSON object of an extension. One that is missing or null is `otherwise`; check_gltf_types has refused
-// other types.
+// Members of the JSON object of an extension. One that is missing, null or of another type is `otherwise`; of those
+// that check_gltf_types looks into it has refused other types.
 
 /// A number.
 double gltf_number(const tinygltf::Value& object, const char* name, double otherwise);
