@@ -21,11 +21,11 @@ void accumulate_samples(IN(uint) x, IN(uint) y, IN(uint) first_job) {
   for (;;) {
     uvec4 traced = load_sample((first_job + i) * SAMPLE_BLOCKS(COUNT_COST));
     add_sample(sum, vector_of(traced), (traced.w & SAMPLE_HIT) != 0u, constants.sample_begin + i);
-    sum.rays += traced.w & ~SAMPLE_HIT;
+    sum.rays = saturated_sum(sum.rays, traced.w & ~SAMPLE_HIT);
     if (COUNT_COST) {
       uvec4 cost = load_sample((first_job + i) * SAMPLE_BLOCKS(COUNT_COST) + 1u);
-      sum.nodes += cost.x;
-      sum.triangles += cost.y;
+      sum.nodes = saturated_sum(sum.nodes, cost.x);
+      sum.triangles = saturated_sum(sum.triangles, cost.y);
     }
     i++;
     if (i >= samples) break;

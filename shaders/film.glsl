@@ -58,6 +58,9 @@ WideSum added(IN(WideSum) sum, IN(float) value) {
   return wide_add(sum, fixed_point(value));
 }
 
+// A sum of costs, which ends at the largest number instead of beginning again.
+uint saturated_sum(IN(uint) sum, IN(uint) more) { return sum + min(more, 0xffffffffu - sum); }
+
 // Adds sample number `s` with its radiance; a non-finite one is counted and leaves the sums alone.
 void add_sample(INOUT(PixelSum) sum, IN(vec3) radiance, IN(bool) hit, IN(uint) s) {
   sum.samples++;

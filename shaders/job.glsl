@@ -14,13 +14,6 @@ uint blocks_of(IN(uint) pixels) { return (pixels + JOB_BLOCK_SIDE - 1u) / JOB_BL
 
 uint samples_of_pass() { return dispatch_constants().sample_end - dispatch_constants().sample_begin; }
 
-// Jobs of the dispatch, those of incomplete blocks that have no pixel counted too.
-uint job_count() {
-  DispatchConstants constants = dispatch_constants();
-  if (LISTED_PIXELS) return constants.pixel_count * samples_of_pass();
-  return blocks_of(constants.tile_width) * blocks_of(constants.tile_height) * JOB_BLOCK_SIDE * JOB_BLOCK_SIDE * samples_of_pass();
-}
-
 // a / b for a < 2^22: drivers for CPUs divide integers lane by lane. The quotient of the floats is off by one at most.
 uint divided(IN(uint) a, IN(uint) b) {
   uint quotient = uint(float(a) / float(b));

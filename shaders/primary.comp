@@ -16,7 +16,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 void main() {
   keep_constants();
   if (gl_GlobalInvocationID.x >= dispatch_constants().tile_width || gl_GlobalInvocationID.y >= dispatch_constants().tile_height) return;
-  uint x = dispatch.tile_x + gl_GlobalInvocationID.x;
-  uint y = dispatch.tile_y + gl_GlobalInvocationID.y;
-  trace_primary(vec2(float(x), float(y)) + 0.5, (y - dispatch.band_y) * dispatch.band_width + (x - dispatch.band_x));
+  DispatchConstants constants = dispatch_constants();
+  uint x = constants.tile_x + gl_GlobalInvocationID.x;
+  uint y = constants.tile_y + gl_GlobalInvocationID.y;
+  trace_primary(vec2(float(x), float(y)) + 0.5, (y - constants.band_y) * constants.band_width + (x - constants.band_x));
 }

@@ -26,6 +26,11 @@ class Error : public std::runtime_error {
   ErrorKind kind_;
 };
 
+/// Throws Error(refused) for what is wrong at a `place`: a file, an element of it.
+[[noreturn]] inline void refuse(const std::string& place, const std::string& what) {
+  throw Error(ErrorKind::refused, place + ": " + what);
+}
+
 /// Refused for want of memory, which is not the input's fault: who goes on without a broken input lets this pass.
 class MemoryError : public Error {
  public:

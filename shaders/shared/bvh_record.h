@@ -23,6 +23,11 @@
 #define VERNIER_SHARED_BVH_RECORD_H
 
 #define BVH_RECORD_TEXELS 3
+// Words by number: flags with exponents or a vertex, where its other vertices lie, child base, and id or child count.
+#define BVH_WORD_FLAGS 3
+#define BVH_WORD_PLACE 7
+#define BVH_WORD_CHILD_BASE 10
+#define BVH_WORD_NUMBER 11
 #define BVH_TRIANGLE 0x80000000u
 // Of a node: it is an instance. Bit 29: nodes have bits 24 to 30 free, triangles have this one clear.
 #define BVH_INSTANCE 0x20000000u

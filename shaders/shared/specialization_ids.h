@@ -3,7 +3,7 @@
 #define VERNIER_SHARED_SPECIALIZATION_IDS_H
 
 #define SPECIALIZATION_EFFECTS 0          // OR of EFFECT_*
-#define SPECIALIZATION_TRAVERSAL_STACK 1  // entries of the traversal stack: the depth of the BVH
+#define SPECIALIZATION_TRAVERSAL_STACK 1  // entries of the traversal stack: at least the depth of the BVH
 #define SPECIALIZATION_SHIFT_STACK 2      // traversal stack in shifted registers (llvmpipe) instead of an indexed array
 #define SPECIALIZATION_PATH_STACK 3       // rays of the ray tree that can wait
 #define SPECIALIZATION_COUNT_COST 4       // count node visits and triangle tests per pixel

@@ -14,7 +14,8 @@
 namespace vernier {
 namespace {
 
-constexpr std::uint32_t kPartSpp = 64;
+constexpr std::uint32_t kLeastPartSpp = 4;
+constexpr std::uint32_t kMostPartSpp = 64;
 constexpr std::uint64_t kMostSpp = 65536;
 /// Points count their seeds up from the user's, these go down from the largest.
 constexpr std::uint32_t kFirstSeed = 0xffffffffu;
@@ -45,13 +46,20 @@ class PictureSum {
 
 }  // namespace
 
-RenderSettings reference_settings(const RenderSettings& settings) {
+std::uint32_t choose_part_spp(double budget_ms, double ms_per_sample) {
+  constexpr double kSlower = 2.0;  // exact and deeper than the points
+  std::uint32_t spp = kMostPartSpp;
+  while (spp > kLeastPartSpp && 2.0 * kSlower * spp * ms_per_sample > budget_ms) spp /= 2;
+  return spp;
+}
+
+RenderSettings reference_settings(const RenderSettings& settings, std::uint32_t part_spp) {
   RenderSettings part = settings;
   part.accuracy = Accuracy::exact;
   part.max_bounces = std::min(2 * settings.max_bounces, kMaxBounces);
   part.cutoff = settings.cutoff / 16.0f;
   part.sample_begin = 0;
-  part.sample_end = part.spp = kPartSpp;
+  part.sample_end = part.spp = part_spp;
   part.error_target.reset();
   return part;
 }

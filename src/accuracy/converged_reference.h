@@ -23,8 +23,12 @@ struct ConvergedReference {
   RenderSettings settings;  ///< of a part
 };
 
-/// Settings of a part of the reference for points around `settings`: exact, twice as deep, a sixteenth of the cutoff.
-RenderSettings reference_settings(const RenderSettings& settings);
+/// Settings of a part of the reference, of `part_spp` samples, for points around `settings`: exact, twice as deep, a
+/// sixteenth of the cutoff.
+RenderSettings reference_settings(const RenderSettings& settings, std::uint32_t part_spp);
+
+/// Samples of a part, 4 to 64, so that two take about `budget_ms` at most where a sample of the points takes so long.
+std::uint32_t choose_part_spp(double budget_ms, double ms_per_sample);
 
 /// How long and by whose leave a reference is rendered.
 struct ReferenceRun {
@@ -33,7 +37,7 @@ struct ReferenceRun {
   std::function<bool()> stop;      ///< true: ends it and drops an unfinished pair of parts; may be empty
 };
 
-/// Renders parts of 64 samples, of seeds that no point has, to two halves in turn, as long as `run` says, at least one
+/// Renders parts, of seeds that no point has, to two halves in turn, as long as `run` says, at least one
 /// part each and at most 65536 samples. Throws Error(failed) where the first pair of parts is stopped.
 ConvergedReference render_reference_parts(StagedScene& staged, TimedTrace& trace, const RenderSettings& settings,
                                           const ReferenceRun& run);

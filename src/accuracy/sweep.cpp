@@ -37,7 +37,7 @@ class Bench {
 
   Sweep run() {
     const double pilot_ms = time_pilot();
-    make_reference();
+    make_reference(pilot_ms);
     choose_points(pilot_ms);
     run_rounds();
     sweep_.seconds = ms_since(start_) / 1000.0;
@@ -52,12 +52,20 @@ class Bench {
     if (setup_.progress) setup_.progress(std::min(1.0, ms_since(start_) / (setup_.budget_s * 1000.0)), work);
   }
 
+  /// is_stopped, which a trace asks between its dispatches, that tells of the work as well.
+  std::function<bool()> telling(std::string_view work) const {
+    return [this, work] {
+      tell(work);
+      return is_stopped();
+    };
+  }
+
   TraceSpecialization specialization(const RenderSettings& settings) const {
     TraceSpecialization values = staged_.specialization(choose_effects(effects_, settings.effects).bits);
     // One pipeline for all numbers of bounces: the deepest's room for waiting rays.
     const std::uint32_t deepest = std::max(settings.max_bounces, setup_.settings.max_bounces);
     values.path_stack = waiting_rays(values.effects, deepest);
-    values.levels = settings.spot_levels.value_or(levels_of(settings.accuracy));
+    values.levels = levels_of(settings);
     values.listed_pixels = settings.error_target.has_value();
     return values;
   }
@@ -79,19 +87,20 @@ class Bench {
     TimedTrace& trace = trace_of(settings);
     compile_ms_ = ms_since(start);
     staged_.set_settings(settings);
-    trace.trace_anew(settings, setup_.stop);
+    trace.trace_anew(settings, telling("first picture"));
     pilot_ = trace.picture();
-    return trace.trace_anew(settings, setup_.stop).wall_ms / 16.0;
+    return trace.trace_anew(settings, telling("first picture")).wall_ms / 16.0;
   }
 
-  void make_reference() {
+  void make_reference(double ms_per_sample) {
     if (setup_.truth) {
       ConvergedReference& reference = sweep_.reference;
       reference.image = reference.halves[0] = reference.halves[1] = *setup_.truth;
       reference.file = setup_.truth_file;
     } else {
-      const RenderSettings settings = reference_settings(setup_.settings);
-      const ReferenceRun run{kReferenceShare * setup_.budget_s * 1000.0, [this] { tell("reference"); }, setup_.stop};
+      const double budget_ms = kReferenceShare * setup_.budget_s * 1000.0;
+      const RenderSettings settings = reference_settings(setup_.settings, choose_part_spp(budget_ms, ms_per_sample));
+      const ReferenceRun run{budget_ms, [this] { tell("reference"); }, telling("reference")};
       sweep_.reference = render_reference_parts(staged_, trace_of(settings), settings, run);
     }
   }

@@ -6,6 +6,7 @@
 
 #include "bvh/decode_record.h"
 #include "bvh/zero_area.h"
+#include "shared/bvh_record.h"
 
 namespace vernier {
 namespace {
@@ -52,7 +53,7 @@ std::string TriangleTally::tick(const BvhRecord& record, std::uint32_t record_in
   if (has_no_area(triangle)) {
     return place + "has no area";
   }
-  return record[7] == 0 ? "" : place + "has a free word that is not 0";
+  return record[BVH_WORD_PLACE] == 0 ? "" : place + "has a free word that is not 0";
 }
 
 std::string TriangleTally::first_left_over() const {

@@ -12,9 +12,6 @@
 namespace vernier {
 namespace {
 
-constexpr std::size_t kPlaceWord = 7;
-constexpr std::size_t kChildBaseWord = 10;
-constexpr std::size_t kNumberWord = 11;
 constexpr std::uint32_t kLowestByte = 0xffu;
 
 /// A triangle whose box is `box`: what the builder takes for the instance.
@@ -25,8 +22,8 @@ BvhTriangle stand_in(const Box& box, std::uint32_t id) {
 BvhRecord instance_record(const TreeInstance& instance, float scene_extent, std::uint32_t root) {
   const Box box = pad_box(instance.box, scene_extent);
   BvhRecord record = quantize_node(std::span(&box, 1), box, root);
-  record[3] |= BVH_INSTANCE;
-  record[kPlaceWord] = (record[kPlaceWord] & kLowestByte) | instance.number << BVH_INSTANCE_SHIFT;
+  record[BVH_WORD_FLAGS] |= BVH_INSTANCE;
+  record[BVH_WORD_PLACE] = (record[BVH_WORD_PLACE] & kLowestByte) | instance.number << BVH_INSTANCE_SHIFT;
   return record;
 }
 
@@ -42,9 +39,9 @@ void append(const ObjectTree& object, Bvh& bvh) {
   const auto base = static_cast<std::uint32_t>(bvh.records.size());
   for (BvhRecord record : object.bvh.records) {
     if (is_triangle(record)) {
-      record[kPlaceWord] = object.first_place + record[kNumberWord];
+      record[BVH_WORD_PLACE] = object.first_place + record[BVH_WORD_NUMBER];
     } else {
-      record[kChildBaseWord] += base;
+      record[BVH_WORD_CHILD_BASE] += base;
     }
     bvh.records.push_back(record);
   }
@@ -104,10 +101,10 @@ void place_instances(std::span<const TreeInstance> instances, std::span<const st
   for (std::size_t i = 0; i < record_count; ++i) {
     BvhRecord& record = bvh.records[i];
     if (!is_triangle(record)) continue;
-    const std::uint32_t id = record[kNumberWord];
+    const std::uint32_t id = record[BVH_WORD_NUMBER];
     if (id < numbers.size()) {
-      record[kPlaceWord] = id;
-      record[kNumberWord] = numbers[id];
+      record[BVH_WORD_PLACE] = id;
+      record[BVH_WORD_NUMBER] = numbers[id];
       continue;
     }
     const TreeInstance& instance = instances[id - numbers.size()];

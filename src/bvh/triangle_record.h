@@ -20,9 +20,9 @@ inline BvhRecord triangle_record(const BvhTriangle& triangle, bool not_opaque) {
           bits(triangle.v2.z), triangle.id};
 }
 
-/// `triangles` as records in their order with no node above them, for a tree that the driver builds (BoxTree). Left out
-/// are those that build_bvh leaves out; `not_opaque` as there, but called by this thread alone. Throws Error(refused)
-/// for more than BVH_MAX_RECORDS triangles.
+/// `triangles` as records in their order with no node above them, for a tree that the driver builds (DriverTree). Left
+/// out are those that build_bvh leaves out; `not_opaque` as there, but called by this thread alone. Throws
+/// Error(refused) for more than BVH_MAX_RECORDS triangles.
 Bvh list_triangles(std::span<const BvhTriangle> triangles, const std::function<bool(std::uint32_t)>& not_opaque);
 
 }  // namespace vernier

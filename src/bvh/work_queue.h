@@ -28,8 +28,8 @@ class WorkQueue {
   /// The next task; waits while others may still add some; nothing when all are finished.
   std::optional<Task> take() {
     std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return next_ < tasks_.size() || unfinished_ == 0; });
-    return next_ < tasks_.size() ? std::optional<Task>(tasks_[next_++]) : std::nullopt;
+    changed_.wait(lock, [this] { return stopped_ || next_ < tasks_.size() || unfinished_ == 0; });
+    return !stopped_ && next_ < tasks_.size() ? std::optional<Task>(tasks_[next_++]) : std::nullopt;
   }
 
   /// Says that a task that was taken is done.
@@ -40,11 +40,11 @@ class WorkQueue {
     }
   }
 
-  /// Wakes all: take has nothing any more. For a thread that fails, so that no other waits for its tasks.
+  /// Wakes all: take has nothing any more, whatever others still add or finish. For a thread that fails, so that none
+  /// waits for its tasks.
   void give_up() {
     const std::scoped_lock lock(mutex_);
-    next_ = tasks_.size();
-    unfinished_ = 0;
+    stopped_ = true;
     changed_.notify_all();
   }
 
@@ -54,6 +54,7 @@ class WorkQueue {
   std::vector<Task> tasks_;
   std::size_t next_ = 0;
   std::size_t unfinished_ = 0;
+  bool stopped_ = false;
 };
 
 }  // namespace vernier

@@ -161,6 +161,8 @@ int run_cost(const CostArguments& arguments) {
   CostNames names;
   const Sweep sweep = measure(arguments, setup, scene, names);
   if (sweep.points.empty() && !sweep.complete) {
+    std::error_code not_empty;
+    fs::remove(arguments.folder + "/images", not_empty);
     throw Error(ErrorKind::failed, arguments.folder + ": interrupted before anything was measured, nothing is written");
   }
   names.scene = arguments.scene.scene;

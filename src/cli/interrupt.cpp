@@ -21,7 +21,11 @@ void catch_interrupt() {
   action.sa_handler = remember_interrupt;
   action.sa_flags = SA_RESETHAND | SA_RESTART;  // after the first signal the default action is back
   sigemptyset(&action.sa_mask);
-  sigaction(SIGINT, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct sigaction before {};
+    sigaction(signal, &action, &before);
+    if (signal == SIGHUP && before.sa_handler == SIG_IGN) sigaction(signal, &before, nullptr);
+  }
 }
 
 bool interrupted() {

@@ -38,6 +38,16 @@ void check_text_output(const std::string& path) {
   if (fs::is_directory(path, failure)) {
     throw Error(ErrorKind::failed, path + ": is a folder");
   }
+  const fs::file_status status = fs::status(path, failure);
+  const bool is_new = failure == std::errc::no_such_file_or_directory;
+  if (failure && !is_new) throw Error(ErrorKind::failed, path + ": " + failure.message());
+  if (is_new && fs::is_symlink(path, failure) &&
+      !fs::is_directory(fs::weakly_canonical(path, failure).parent_path(), failure)) {
+    throw Error(ErrorKind::failed, path + ": the folder that the link leads to is not there");
+  }
+  if (fs::is_regular_file(status) && access(path.c_str(), W_OK) != 0) {
+    throw Error(ErrorKind::failed, path + ": may not be written");
+  }
   // A new file is written beside it and then renamed.
   const bool replaced = !fs::exists(path, failure) || fs::is_regular_file(path, failure);
   if (replaced && access(place.c_str(), W_OK) != 0) {

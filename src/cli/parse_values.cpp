@@ -31,6 +31,7 @@ std::vector<std::string> split(const std::string& text, char separator) {
 
 std::optional<double> plain_number(std::string_view text) {
   double value = 0.0;
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);  // from_chars takes a minus alone
   const char* end = text.data() + text.size();
   const auto [rest, failure] = std::from_chars(text.data(), end, value);
   const bool whole = failure == std::errc() && rest == end && std::isfinite(value);

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <cstdio>
 
+#include "math/elapsed.h"
+
 namespace vernier {
 namespace {
 
@@ -29,7 +31,7 @@ bool known(double value) {
 }  // namespace
 
 ProgressState WorkClock::at(double share, std::string_view work) const {
-  const double seconds = std::chrono::duration<double>(steady_clock::now() - start_).count();
+  const double seconds = seconds_since(start_);
   return {share, 0.0, share > 0.0 ? seconds * (1.0 - share) / share : 0.0, work};
 }
 

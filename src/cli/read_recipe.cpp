@@ -12,10 +12,6 @@ namespace {
 
 using Metadata = std::map<std::string, std::string>;
 
-[[noreturn]] void refuse(const std::string& name, const std::string& reason) {
-  throw Error(ErrorKind::refused, name + ": " + reason);
-}
-
 std::string text_of(const std::string& name, const Metadata& metadata, const std::string& attribute) {
   const auto entry = metadata.find(attribute);
   if (entry == metadata.end()) refuse(name, "its metadata have no " + attribute);

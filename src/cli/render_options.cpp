@@ -15,7 +15,7 @@
 namespace vernier {
 namespace {
 
-constexpr double kMaxDispatch_ms = 60000.0;  // drivers reset a device that is busy for longer
+constexpr double kMaxDispatch_ms = 60000.0;  // after twice as long a device counts as lost
 constexpr double kLeastErrorTarget = 1e-6;   // near the rounding of the floats in the file
 constexpr double kMostErrorTarget = 10.0;
 constexpr double kMaxTimeLimit_s = 31536000.0;  // a year
@@ -68,7 +68,8 @@ void check_crop(const RenderSettings& settings) {
   }
   if (std::int64_t{rect.width} * rect.height > kMaxPixels) {
     throw Error(ErrorKind::usage, std::string(settings.crop ? "--crop" : "--size") + ": more than " +
-                                      std::to_string(kMaxPixels) + " pixels at once; render it in parts with --crop");
+                                      std::to_string(kMaxPixels) + " pixels at once" +
+                                      (settings.crop ? "" : "; vernier render makes it in parts, with --crop"));
   }
 }
 

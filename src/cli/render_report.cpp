@@ -113,6 +113,11 @@ void add_outcome(nlohmann::ordered_json& json, const RenderReport& report) {
                   {"reflection", rays.reflection},
                   {"refraction", rays.refraction}};
   json["rays_per_s"] = rays_per_s(statistics);
+  const PixelRect area = image_area(report.settings);
+  json["crop"] = nullptr;
+  if (report.settings.crop) json["crop"] = {area.x, area.y, area.width, area.height};
+  json["sample_range"] = {report.settings.sample_begin, report.settings.sample_end};
+  json["stopped"] = statistics.stopped;
   json["samples_done"] = statistics.samples_done;
   json["mean_samples"] = statistics.mean_samples;
   json["effects"] = effects_by_name(statistics.effects);

@@ -64,9 +64,10 @@ MemoryNeed need_of(const Scene& scene, const RenderSettings& settings) {
   return memory_need(scene, driver_traces ? Sharing::never : settings.sharing);
 }
 
-void check_room(const Scene& scene, const MemoryNeed& need, const MemoryThere& there, const RenderSettings& settings) {
+void check_room(const Scene& scene, const MemoryNeed& need, const DeviceDescription& device, const MemoryThere& there,
+                const RenderSettings& settings) {
   check_memory(scene.source, need, there);
-  check_image_memory(need, image_need(settings), there);
+  check_image_memory(need, image_need(settings, device), there);
 }
 
 /// Builds the tree while images are decoded. Large scenes take their time: whether there is room for them is known
@@ -77,7 +78,7 @@ PackedScene pack_with_progress(LoadingSetup& loading, const RenderPlan& plan, co
   const MemoryNeed need = need_of(scene, plan.settings);
   MemoryClaim claim;
   const MemoryThere there = claim_memory(claim, need, memory_there(device));
-  check_room(scene, need, there, plan.settings);
+  check_room(scene, need, device, there, plan.settings);
   if (need.triangles >= kLarge && !plan.quiet) {
     const char* textures = loading.images.empty() ? "" : ", textures not counted";
     std::fprintf(stderr, "%s%s\n", memory_text(need, there).c_str(), textures);
@@ -181,7 +182,7 @@ RenderedImage render_planned(RenderPlan plan) {
   print_warnings(setup.scene.warnings);
   if (!resumed) recipe = begin_recipe(plan, description, setup.scene);
   const MemoryNeed memory = need_of(setup.scene, plan.settings);
-  check_room(setup.scene, after_shape(memory), memory_there(description), plan.settings);
+  check_room(setup.scene, after_shape(memory), description, memory_there(description), plan.settings);
   RenderResult result =
       render_with_progress(device.device(), setup, std::move(shape), plan, recipe, resumed ? &*resumed : nullptr);
   Metadata words = recipe_or_none(recipe, result.statistics.warnings);

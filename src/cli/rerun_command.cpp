@@ -111,7 +111,9 @@ void add_rerun_command(CLI::App& app, Command& chosen) {
                   "index or part of the name, see vernier devices (default: the one of the recipe)")
       ->type_name("INDEX|NAME");
   command.add_flag("--quiet", arguments->quiet, "no progress (default: off)");
-  command.footer("Example: vernier rerun picture.exr\nThe scene is looked for at the path that render was given.");
+  command.footer(
+      "Example: vernier rerun picture.exr\nThe scene is looked for at the path that render was given: a relative one "
+      "from the folder where rerun runs.");
   command.callback([arguments, &chosen] { chosen = [arguments] { return run_rerun(*arguments); }; });
 }
 

@@ -1,8 +1,10 @@
 #include "cli/run_command_line.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <exception>
+#include <iostream>
 #include <new>
 
 #include "cli/warnings.h"
@@ -29,6 +31,21 @@ void check_values(const CLI::App& command) {
   }
 }
 
+/// What CLI11 says of an option that is given twice, and of arguments that nobody takes, in the order they came.
+std::string usage_text(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+  const std::string text = error.what();
+  if (const std::size_t twice = text.find(": At Most 1 required but received "); twice != std::string::npos) {
+    return text.substr(0, twice) + ": given more than once";
+  }
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) return text;
+  const std::vector<std::string> left = app.remaining(true);
+  std::string names;
+  for (int i = 1; i < argc; ++i) {
+    if (std::ranges::find(left, argv[i]) != left.end()) names += std::string(names.empty() ? "" : " ") + argv[i];
+  }
+  return "not expected: " + (names.empty() ? text : names);
+}
+
 }  // namespace
 
 int run_command_line(CLI::App& app, const Command& chosen, int argc, char** argv) {
@@ -41,12 +58,14 @@ int run_command_line(CLI::App& app, const Command& chosen, int argc, char** argv
     }
     return code;
   } catch (const CLI::Success& help_or_version) {
-    return app.exit(help_or_version);
+    const int code = app.exit(help_or_version);
+    return std::cout.flush() ? code : say(ErrorKind::failed, "the standard output cannot be written");
   } catch (const CLI::ParseError& error) {
     const std::vector<CLI::App*> command = app.get_subcommands();
     const std::string name = command.empty() ? "vernier" : "vernier " + command.front()->get_name();
     const bool is_unknown = command.empty() && argc > 1 && argv[1][0] != '-';
-    const std::string what = is_unknown ? "there is no command `" + std::string(argv[1]) + "`" : error.what();
+    const std::string what =
+        is_unknown ? "there is no command `" + std::string(argv[1]) + "`" : usage_text(app, error, argc, argv);
     return say(ErrorKind::usage, what + "; see " + name + " --help");
   } catch (const Error& error) {
     return say(error.kind(), error.what());

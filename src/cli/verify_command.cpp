@@ -160,6 +160,7 @@ int run_verify(const VerifyArguments& arguments) {
   const CachedDevice device(instance, description, pipeline_file(description.pipeline_key));
   setup.device = &device.device();
   catch_interrupt();
+  setup.stop = interrupted;
   require_loads(description, choose_scene_loads(description, setup.traversal));
   const DeviceReport report{description, probe_device(device.device()), ""};
   print_result(arguments.json_file, describe_devices({&report, 1}) + "\n");

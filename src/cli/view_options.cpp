@@ -26,7 +26,8 @@ CLI::App& add_view_subcommand(CLI::App& app, ViewArguments& arguments) {
                   "stops added to the picture and to saved display images, -100 to 100 (default: 0)")
       ->type_name("EV");
   CLI::Option* script = command.add_option(
-      "--script", arguments.script, "replays events in place of the user, then closes; one a line (default: none)");
+      "--script", arguments.script,
+      "replays events in place of the user, then closes; one a line; needs --record (default: none)");
   script->type_name("FILE");
   command.add_option("--record", arguments.record, "folder of the script's screenshots (default: none)")
       ->type_name("DIR")

@@ -2,12 +2,23 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <filesystem>
 #include <system_error>
 
 namespace vernier {
 
-// "+": the TIFF library reads its own directory back.
-CheckedFile::CheckedFile(const std::string& path) : IOProxy(path, Write), file_(std::fopen(path.c_str(), "w+b")) {
+namespace {
+
+// "+": the TIFF library reads its own directory back. Whoever opens a pipe so is its own reader, and waits for nobody.
+const char* mode_for(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::is_fifo(path, ignored) ? "wb" : "w+b";
+}
+
+}  // namespace
+
+CheckedFile::CheckedFile(const std::string& path)
+    : IOProxy(path, Write), file_(std::fopen(path.c_str(), mode_for(path))) {
   if (!file_) note_failure();
 }
 

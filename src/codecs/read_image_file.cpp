@@ -20,9 +20,10 @@
 namespace vernier {
 namespace {
 
-[[noreturn]] void refuse(const std::string& path, std::string reason) {
-  std::replace(reason.begin(), reason.end(), '\n', ' ');
-  throw Error(ErrorKind::refused, path + ": " + (reason.empty() ? "cannot be read as this image format" : reason));
+/// `reason` is the library's, of any number of lines.
+[[noreturn]] void refuse_as_told(const std::string& path, std::string reason) {
+  std::ranges::replace(reason, '\n', ' ');
+  refuse(path, reason.empty() ? "cannot be read as this image format" : reason);
 }
 
 bool known_type(OIIO::TypeDesc type) {
@@ -83,7 +84,7 @@ OpenImage open_image(const std::string& path, FileFormat format) {
   if (format == FileFormat::png) image.bytes = checked_png(path);
   image.input = OIIO::ImageInput::create(codec_name(format));
   const std::unique_ptr<OIIO::ImageInput>& input = image.input;
-  if (!input) refuse(path, OIIO::geterror());
+  if (!input) refuse_as_told(path, OIIO::geterror());
   OIIO::ImageSpec spec;
   OIIO::ImageSpec as_stored;
   as_stored.attribute("oiio:UnassociatedAlpha", 1);
@@ -91,12 +92,12 @@ OpenImage open_image(const std::string& path, FileFormat format) {
     image.memory = std::make_unique<OIIO::Filesystem::IOMemReader>(image.bytes.data(), image.bytes.size());
     input->set_ioproxy(image.memory.get());
   }
-  if (!input->open(path, spec, as_stored)) refuse(path, input->geterror());
+  if (!input->open(path, spec, as_stored)) refuse_as_told(path, input->geterror());
   check_spec(path, spec);
-  if (const std::string fault = input->geterror(); is_cut_jpeg(fault)) refuse(path, fault);
+  if (const std::string fault = input->geterror(); is_cut_jpeg(fault)) refuse_as_told(path, fault);
   if (input->seek_subimage(1, 0)) refuse(path, "files of several parts or pages are not supported");
   input->geterror();  // the missing second part is no failure
-  if (!input->seek_subimage(0, 0)) refuse(path, input->geterror());
+  if (!input->seek_subimage(0, 0)) refuse_as_told(path, input->geterror());
   return image;
 }
 

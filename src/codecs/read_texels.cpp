@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "codecs/jpeg_fault.h"
+#include "codecs/texel_layout.h"
 #include "codecs/webp_image.h"
 #include "error.h"
 #include "image/srgb_curve.h"
@@ -25,10 +26,6 @@ namespace {
 /// Rows read at once: enough to make a call's overhead small.
 constexpr int kBandRows = 64;
 
-[[noreturn]] void refuse(const std::string& name, const std::string& what) {
-  throw Error(ErrorKind::refused, name + ": " + what);
-}
-
 std::string one_line(std::string text) {
   for (char& c : text) {
     if (c == '\n' || c == '\r' || c == '\t') c = ' ';
@@ -39,15 +36,19 @@ std::string one_line(std::string text) {
   return text.empty() ? "unknown format" : text;
 }
 
-void check_size(const OIIO::ImageSpec& spec, const std::string& name) {
+void check_size(int width, int height, const std::string& name) {
+  if (width > kMaxTextureSide_px || height > kMaxTextureSide_px ||
+      std::uint64_t(width) * std::uint64_t(height) > kMaxTexels) {
+    refuse(name, std::to_string(width) + "x" + std::to_string(height) + " texels are more than " +
+                     std::to_string(kMaxTexels) + " or a side is longer than " + std::to_string(kMaxTextureSide_px));
+  }
+}
+
+void check_spec(const OIIO::ImageSpec& spec, const std::string& name) {
   if (spec.width <= 0 || spec.height <= 0 || spec.depth > 1 || spec.nchannels <= 0) {
     refuse(name, "not an image of width, height and channels above zero");
   }
-  if (spec.width > kMaxTextureSide_px || spec.height > kMaxTextureSide_px ||
-      std::uint64_t(spec.width) * std::uint64_t(spec.height) > kMaxTexels) {
-    refuse(name, std::to_string(spec.width) + "x" + std::to_string(spec.height) + " texels are more than " +
-                     std::to_string(kMaxTexels) + " or a side is longer than " + std::to_string(kMaxTextureSide_px));
-  }
+  check_size(spec.width, spec.height, name);
 }
 
 /// Texels that a byte can stand for, at most, in formats that pack by runs or not at all. The others can say in few
@@ -67,20 +68,6 @@ void check_length(const OIIO::ImageSpec& spec, std::size_t bytes, const std::str
   }
 }
 
-/// Where red, green, blue and alpha lie among `count` channels; -1: opaque.
-std::array<int, 4> channel_order(int count) {
-  switch (count) {
-    case 1:
-      return {0, 0, 0, -1};
-    case 2:
-      return {0, 0, 0, 1};
-    case 3:
-      return {0, 1, 2, -1};
-    default:
-      return {0, 1, 2, 3};
-  }
-}
-
 // Readers claim success for rows that are cut off (TIFF, JPEG), but note a fault. Of JPEG they note stray bytes too,
 // which take nothing away.
 bool loses_rows(const OIIO::ImageInput& input, const std::string& fault) {
@@ -91,8 +78,9 @@ bool loses_rows(const OIIO::ImageInput& input, const std::string& fault) {
 // Read in bands: the only large allocation is the result, whose size has been checked. A tiled image (EXR, TIFF) is
 // read a row of tiles at a time.
 template <typename T, typename StoreTexel>
-void read_bands(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std::string& name, StoreTexel store) {
-  const std::size_t channels = std::size_t(spec.nchannels > 4 ? 4 : spec.nchannels);
+void read_bands(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const TexelLayout& layout,
+                const std::string& name, StoreTexel store) {
+  const auto channels = std::size_t(layout.channel_count());
   const auto type = OIIO::BaseTypeFromC<T>::value;
   const int band_rows =
       spec.tile_width > 0 ? std::clamp(spec.tile_height, 1, spec.height) : std::min(kBandRows, spec.height);
@@ -108,33 +96,50 @@ void read_bands(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std:
                                                                type, band.data());
     const std::string fault = input.geterror();
     if (!ok || loses_rows(input, fault)) refuse(name, "the image cannot be read: " + one_line(fault));
-    const std::size_t first = std::size_t(row) * std::size_t(spec.width);
-    const std::size_t count = std::size_t(end - row) * std::size_t(spec.width);
-    for (std::size_t i = 0; i < count; ++i) store(first + i, band.data() + i * channels);
+    const T* values = band.data();
+    for (int y = row; y < end; ++y) {
+      for (int x = 0; x < spec.width; ++x, values += channels) {
+        if (const std::optional<std::size_t> texel = layout.texel_of(x, y)) store(*texel, values);
+      }
+    }
   }
 }
 
-void read_bytes(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std::string& name, Texels& texels) {
-  const std::array<int, 4> order = channel_order(spec.nchannels);
-  texels.words.resize(std::size_t(spec.width) * std::size_t(spec.height));
-  read_bands<std::uint8_t>(input, spec, name, [&](std::size_t texel, const std::uint8_t* values) {
-    std::uint32_t word = 0;
-    for (std::size_t c = 0; c < 4; ++c) {
-      const std::uint32_t value = order[c] < 0 ? 255u : values[order[c]];
+/// Red, green, blue and alpha of a pixel; a missing blue is 0, a missing alpha `opaque`.
+template <typename T>
+std::array<T, 4> stored_color(const T* values, const TexelLayout& layout, T opaque) {
+  std::array<T, 4> color = {0, 0, 0, opaque};
+  for (std::size_t c = 0; c < 4; ++c) {
+    if (layout.channels[c] >= 0) color[c] = values[layout.channels[c]];
+  }
+  return color;
+}
+
+void read_bytes(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const TexelLayout& layout,
+                const std::string& name, Texels& texels) {
+  texels.words.resize(std::size_t(layout.width) * std::size_t(layout.height));
+  read_bands<std::uint8_t>(input, spec, layout, name, [&](std::size_t texel, const std::uint8_t* values) {
+    const std::array<std::uint8_t, 4> color = stored_color<std::uint8_t>(values, layout, 255);
+    const std::uint32_t alpha = color[3];
+    std::uint32_t word = alpha << 24;
+    for (std::size_t c = 0; c < 3; ++c) {
+      std::uint32_t value = color[c];
+      if (layout.divides_by_alpha && alpha > 0) value = std::min((value * 255u + alpha / 2) / alpha, 255u);
       word |= value << (8 * c);
     }
     texels.words[texel] = word;
   });
 }
 
-void read_floats(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const std::string& name, bool decode_srgb,
-                 Texels& texels) {
-  const std::array<int, 4> order = channel_order(spec.nchannels);
+void read_floats(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const TexelLayout& layout,
+                 const std::string& name, bool decode_srgb, Texels& texels) {
   texels.format = TEXTURE_FORMAT_FLOAT;
-  texels.words.resize(std::size_t(spec.width) * std::size_t(spec.height) * 4);
-  read_bands<float>(input, spec, name, [&](std::size_t texel, const float* values) {
+  texels.words.resize(std::size_t(layout.width) * std::size_t(layout.height) * 4);
+  read_bands<float>(input, spec, layout, name, [&](std::size_t texel, const float* values) {
+    const std::array<float, 4> color = stored_color(values, layout, 1.0f);
     for (std::size_t c = 0; c < 4; ++c) {
-      float value = order[c] < 0 ? 1.0f : values[order[c]];
+      float value = layout.is_negative && c < 3 ? 1.0f - color[c] : color[c];
+      if (layout.divides_by_alpha && c < 3 && color[3] > 0.0f) value /= color[3];
       if (!std::isfinite(value)) value = 0.0f;
       if (decode_srgb && c < 3) value = static_cast<float>(linear_from_srgb(value));
       texels.words[texel * 4 + c] = std::bit_cast<std::uint32_t>(value);
@@ -148,7 +153,7 @@ std::uint32_t byte_format(TexelEncoding encoding) {
 
 void decode_webp(std::span<const std::byte> encoded, const glm::ivec2& size, const std::string& name,
                  TexelEncoding encoding, const std::function<void(std::uint64_t)>& claim, Texels& texels) {
-  check_size(OIIO::ImageSpec(size.x, size.y, 4, OIIO::TypeDesc::UINT8), name);
+  check_size(size.x, size.y, name);
   claim(std::uint64_t(size.x) * std::uint64_t(size.y) * 4);
   texels.width = std::uint32_t(size.x);
   texels.height = std::uint32_t(size.y);
@@ -183,19 +188,21 @@ void decode(std::span<const std::byte> encoded, const std::string& format, const
   OIIO::Filesystem::IOMemReader memory(const_cast<std::byte*>(encoded.data()), encoded.size());
   OIIO::ImageSpec spec;
   const std::unique_ptr<OIIO::ImageInput> input = open_image(memory, format, name, spec);
-  check_size(spec, name);
+  check_spec(spec, name);
   check_length(spec, encoded.size(), format, name);
+  const TexelLayout layout = texel_layout(spec, format, encoded, name);
+  check_size(layout.width, layout.height, name);
 
-  texels.width = std::uint32_t(spec.width);
-  texels.height = std::uint32_t(spec.height);
+  texels.width = std::uint32_t(layout.width);
+  texels.height = std::uint32_t(layout.height);
   const bool is_float = spec.format.is_floating_point();
   const bool is_bytes = !is_float && spec.format.size() == 1;
-  claim(std::uint64_t(spec.width) * std::uint64_t(spec.height) * (is_bytes ? 4 : 16));
+  claim(std::uint64_t(texels.width) * texels.height * (is_bytes ? 4 : 16));
   if (is_bytes) {
     texels.format = byte_format(encoding);
-    read_bytes(*input, spec, name, texels);
+    read_bytes(*input, spec, layout, name, texels);
   } else {
-    read_floats(*input, spec, name, !is_float && encoding == TexelEncoding::srgb, texels);
+    read_floats(*input, spec, layout, name, !is_float && encoding == TexelEncoding::srgb, texels);
   }
 }
 

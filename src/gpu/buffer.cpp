@@ -90,21 +90,9 @@ std::optional<std::uint32_t> memory_type(const vk::PhysicalDeviceMemoryPropertie
   return std::nullopt;
 }
 
-std::uint32_t memory_type_for(const Device& device, std::uint32_t type_bits, bool host_visible) {
-  const vk::PhysicalDeviceMemoryProperties memory = device.physical().getMemoryProperties();
-  const vk::MemoryPropertyFlags host = Memory::eHostVisible | Memory::eHostCoherent;
-  const std::vector<vk::MemoryPropertyFlags> wishes =
-      host_visible ? std::vector<vk::MemoryPropertyFlags>{host | Memory::eHostCached, host}
-                   : std::vector<vk::MemoryPropertyFlags>{Memory::eDeviceLocal, {}};
-  for (const vk::MemoryPropertyFlags& wish : wishes) {
-    if (const auto type = memory_type(memory, type_bits, wish)) return *type;
-  }
-  throw Error(ErrorKind::failed, "device " + device.description().name + ": no memory type fits a buffer");
-}
-
 vk::raii::DeviceMemory allocate(const Device& device, const UseTraits& traits, const vk::MemoryRequirements& needs,
                                 std::uint32_t type) {
-  const vk::PhysicalDeviceMemoryProperties memory = device.physical().getMemoryProperties();
+  const vk::PhysicalDeviceMemoryProperties& memory = device.memory();
   const std::uint64_t heap_bytes = memory.memoryHeaps[memory.memoryTypes[type].heapIndex].size;
   const std::string has = "the device's memory has " + std::to_string(heap_bytes) + " bytes";
   if (needs.size > heap_bytes) refuse(device, traits, needs.size, has);
@@ -129,6 +117,18 @@ void check_range(const Buffer& buffer, std::uint64_t offset, std::uint64_t bytes
 
 }  // namespace
 
+std::uint32_t memory_type_for(const Device& device, std::uint32_t type_bits, bool host_visible) {
+  const vk::PhysicalDeviceMemoryProperties& memory = device.memory();
+  const vk::MemoryPropertyFlags host = Memory::eHostVisible | Memory::eHostCoherent;
+  const std::vector<vk::MemoryPropertyFlags> wishes =
+      host_visible ? std::vector<vk::MemoryPropertyFlags>{host | Memory::eHostCached, host}
+                   : std::vector<vk::MemoryPropertyFlags>{Memory::eDeviceLocal, {}};
+  for (const vk::MemoryPropertyFlags& wish : wishes) {
+    if (const auto type = memory_type(memory, type_bits, wish)) return *type;
+  }
+  throw Error(ErrorKind::failed, "device " + device.description().name + ": no type of memory fits");
+}
+
 Buffer::Buffer(const Device& device, std::uint64_t size_bytes, BufferUse use) : use_(use) {
   const UseTraits traits = traits_of(use);
   check_limits(device, traits, use, size_bytes);
@@ -140,7 +140,7 @@ Buffer::Buffer(const Device& device, std::uint64_t size_bytes, BufferUse use) : 
     const std::uint32_t type = memory_type_for(device, needs.memoryTypeBits, use == BufferUse::storage_host_visible);
     memory_ = allocate(device, traits, needs, type);
     buffer_.bindMemory(*memory_, 0);
-    const vk::MemoryPropertyFlags flags = device.physical().getMemoryProperties().memoryTypes[type].propertyFlags;
+    const vk::MemoryPropertyFlags flags = device.memory().memoryTypes[type].propertyFlags;
     // Uncached memory is left to staging: the host reads it a hundred times slower.
     const vk::MemoryPropertyFlags direct = Memory::eHostVisible | Memory::eHostCoherent | Memory::eHostCached;
     if (use == BufferUse::storage_host_visible || (flags & direct) == direct) {

@@ -17,10 +17,14 @@ enum class BufferUse {
   texels_rgba32ui,       ///< read as a storage texel buffer of uvec4, on the device
   texels_r32ui,          ///< read as a storage texel buffer of uint, on the device
   storage_host_visible,  ///< a storage buffer the host maps and reads and writes between submissions (counters)
-  tree_input,            ///< what a driver builds a tree from, by its address (box_tree.h)
+  tree_input,            ///< what a driver builds a tree from, by its address (driver_tree.h)
   tree_storage,          ///< where it puts the tree
   tree_scratch           ///< where it builds
 };
+
+/// Index of the memory type, among those of `type_bits`, that suits what the host maps (`host_visible`) or what lies on
+/// the device. Throws Error(failed) where none does.
+std::uint32_t memory_type_for(const Device& device, std::uint32_t type_bits, bool host_visible);
 
 /// Device memory with one use. Owns it; movable.
 class Buffer {

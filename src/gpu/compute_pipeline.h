@@ -7,9 +7,9 @@
 #include <vector>
 #include <vulkan/vulkan_raii.hpp>
 
-#include "gpu/box_tree.h"
 #include "gpu/buffer.h"
 #include "gpu/device.h"
+#include "gpu/driver_tree.h"
 
 namespace vernier {
 
@@ -17,8 +17,8 @@ namespace vernier {
 struct Binding {
   std::uint32_t binding = 0;
   const Buffer* buffer = nullptr;
-  bool as_texels = false;         ///< of a buffer with both uses: its texel view is bound
-  const BoxTree* tree = nullptr;  ///< instead of a buffer
+  bool as_texels = false;            ///< of a buffer with both uses: its texel view is bound
+  const DriverTree* tree = nullptr;  ///< instead of a buffer
 };
 
 /// Value of a specialization constant; floats and bools travel as their bits.

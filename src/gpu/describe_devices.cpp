@@ -34,7 +34,7 @@ void describe_limits(std::ostringstream& out, const DeviceDescription& device) {
   line(out, "ray queries", yes_no(device.ray_query));
   std::ostringstream period;
   period << device.timestamp_period_ns << " ns";
-  line(out, "timestamps", device.timestamps ? period.str() : "none");
+  line(out, "timestamps", device.timestamp_bits > 0 ? period.str() : "none");
 }
 
 void describe_probe(std::ostringstream& out, const ProbeResult& probe) {
@@ -88,7 +88,7 @@ nlohmann::json report_json(const DeviceReport& report) {
           {"max_storage_buffers", device.max_storage_buffers},
           {"max_workgroup_invocations", device.max_workgroup_invocations},
           {"subgroup_size", device.subgroup_size},
-          {"timestamps", device.timestamps},
+          {"timestamps", device.timestamp_bits > 0},
           {"timestamp_period_ns", device.timestamp_period_ns},
           {"probe", report.probe ? probe_json(*report.probe) : nlohmann::json(nullptr)},
           {"probe_failure", report.probe_failure}};

@@ -64,6 +64,7 @@ void describe_limits(const vk::PhysicalDeviceLimits& limits, DeviceDescription& 
   out.max_texel_buffer_elements = limits.maxTexelBufferElements;
   out.max_workgroup_invocations = limits.maxComputeWorkGroupInvocations;
   out.max_storage_buffers = limits.maxPerStageDescriptorStorageBuffers;
+  out.max_storage_texel_buffers = limits.maxPerStageDescriptorStorageImages;
   out.timestamp_period_ns = limits.timestampPeriod;
 }
 
@@ -131,7 +132,6 @@ vk::raii::Device open(const vk::raii::PhysicalDevice& physical, const DeviceDesc
   vk::StructureChain<vk::DeviceCreateInfo, vk::PhysicalDeviceFeatures2, vk::PhysicalDeviceVulkan12Features,
                      vk::PhysicalDeviceAccelerationStructureFeaturesKHR, vk::PhysicalDeviceRayQueryFeaturesKHR>
       chain;
-  chain.get<vk::PhysicalDeviceFeatures2>().features.shaderFloat64 = description.float64 ? VK_TRUE : VK_FALSE;
   auto& vulkan_12 = chain.get<vk::PhysicalDeviceVulkan12Features>();
   vulkan_12.scalarBlockLayout = VK_TRUE;
   if (description.ray_query) {
@@ -166,14 +166,14 @@ DeviceDescription describe(const vk::raii::PhysicalDevice& physical, int index) 
     out.no_ray_query_reason = describe_ray_queries(physical, out);
     out.ray_query = out.no_ray_query_reason.empty();
   }
-  constexpr std::uint32_t kStorageBuffers = 16;  // the trace kernel binds 15
+  constexpr std::uint32_t kStorageBuffers = 13;  // those of the trace kernel
   if (out.unusable_reason.empty() && out.max_storage_buffers < kStorageBuffers) {
     out.unusable_reason = std::to_string(out.max_storage_buffers) + " storage buffers for a shader, " +
                           std::to_string(kStorageBuffers) + " are needed";
   }
   const std::optional<std::uint32_t> family = compute_queue_family(physical);
   if (family) {
-    out.timestamps = physical.getQueueFamilyProperties()[*family].timestampValidBits > 0;
+    out.timestamp_bits = physical.getQueueFamilyProperties()[*family].timestampValidBits;
   } else if (out.unusable_reason.empty()) {
     out.unusable_reason = "no compute queue";
   }
@@ -206,6 +206,7 @@ Device::Device(const VulkanInstance& instance, const DeviceDescription& descript
   vk_check(what.c_str(), [&] {
     vk::raii::PhysicalDevices all(instance.vk());
     physical_ = std::move(all.at(static_cast<std::size_t>(description.index)));
+    memory_ = physical_.getMemoryProperties();
     queue_family_ = compute_queue_family(physical_).value();
     device_ = open(physical_, description, queue_family_, extensions);
     queue_ = vk::raii::Queue(device_, queue_family_, 0);

@@ -25,7 +25,7 @@ struct DeviceDescription {
   bool usable = false;  ///< Vulkan 1.2, scalar block layout, a compute queue
   std::string unusable_reason;
   bool is_cpu = false;
-  bool float64 = false;
+  bool float64 = false;  ///< shaders may use it; ours do not
   bool is_llvmpipe = false;
   std::uint64_t max_storage_buffer_range_bytes = 0;
   std::uint32_t max_texel_buffer_elements = 0;
@@ -33,13 +33,15 @@ struct DeviceDescription {
   std::uint64_t device_memory_bytes = 0;  ///< largest device-local heap
   std::uint32_t max_workgroup_invocations = 0;
   std::uint32_t subgroup_size = 0;
-  bool subgroup_ballot = false;     ///< invocations of a compute subgroup can vote
-  bool ray_query = false;           ///< the driver builds trees of boxes and finds those that a ray meets
-  std::string no_ray_query_reason;  ///< empty where ray_query
-  bool timestamps = false;
+  bool subgroup_ballot = false;      ///< invocations of a compute subgroup can vote
+  bool ray_query = false;            ///< the driver builds trees of boxes and finds those that a ray meets
+  std::string no_ray_query_reason;   ///< empty where ray_query
+  std::uint32_t timestamp_bits = 0;  ///< of a timestamp that count; 0: the device has none
   double timestamp_period_ns = 0.0;
   /// Storage buffers a shader stage may bind.
   std::uint32_t max_storage_buffers = 0;
+  /// The same of storage texel buffers, which count as storage images.
+  std::uint32_t max_storage_texel_buffers = 0;
 };
 
 /// All devices of `instance` in the loader's order.
@@ -50,8 +52,8 @@ std::vector<DeviceDescription> list_devices(const VulkanInstance& instance);
 /// it, any case; a whole name comes before a part of another. Throws Error(no_device) that lists what there is.
 DeviceDescription choose_device(const std::vector<DeviceDescription>& devices, const std::string& selector);
 
-/// An opened device with one compute queue. Features asked for: scalar block layout only (float64 where `float64`, ray
-/// queries and what they need where `ray_query`).
+/// An opened device with one compute queue. Features asked for: scalar block layout only (and ray
+/// queries, with what they need, where `ray_query`).
 class Device {
  public:
   /// Opens `description`, which list_devices(instance) gave. `instance` outlives the device. `compiled_pipelines`: what
@@ -65,6 +67,7 @@ class Device {
   const vk::raii::Device& vk() const { return device_; }
   const vk::raii::Queue& queue() const { return queue_; }
   std::uint32_t queue_family() const { return queue_family_; }
+  const vk::PhysicalDeviceMemoryProperties& memory() const { return memory_; }
   /// Where pipelines are looked up before they are compiled, and put.
   const vk::raii::PipelineCache& pipeline_cache() const { return pipeline_cache_; }
   /// Those that this device compiled.
@@ -75,6 +78,7 @@ class Device {
  private:
   DeviceDescription description_;
   vk::raii::PhysicalDevice physical_{nullptr};
+  vk::PhysicalDeviceMemoryProperties memory_;
   vk::raii::Device device_{nullptr};
   std::uint32_t queue_family_ = 0;
   vk::raii::Queue queue_{nullptr};

@@ -74,6 +74,9 @@ VulkanInstance::VulkanInstance(bool validation, const std::vector<const char*>& 
 } catch (const vk::LayerNotPresentError&) {
   throw Error(ErrorKind::no_device, "Vulkan: the validation layer " + std::string(kValidationLayer) +
                                         " was asked for and is not installed (Debian: vulkan-validationlayers)");
+} catch (const vk::ExtensionNotPresentError& error) {
+  throw Error(ErrorKind::no_device,
+              std::string("Vulkan: no driver here has an extension that is needed: ") + error.what());
 } catch (const vk::IncompatibleDriverError&) {
   throw Error(ErrorKind::no_device, "Vulkan: no driver is installed (Debian: mesa-vulkan-drivers has one for any CPU)");
 } catch (const std::runtime_error& error) {

@@ -116,8 +116,7 @@ double measured_ms(const Device& device, const vk::raii::QueryPool& queries) {
   const auto [result, ticks] = queries.getResults<std::uint64_t>(
       0, kTimestampCount, kTimestampCount * sizeof(std::uint64_t), sizeof(std::uint64_t),
       vk::QueryResultFlagBits::e64 | vk::QueryResultFlagBits::eWait);
-  const auto families = device.physical().getQueueFamilyProperties();
-  const std::uint32_t valid_bits = families[device.queue_family()].timestampValidBits;
+  const std::uint32_t valid_bits = device.description().timestamp_bits;
   const std::uint64_t mask = valid_bits >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << valid_bits) - 1;
   constexpr double kMsPerNs = 1e-6;
   return static_cast<double>((ticks[1] - ticks[0]) & mask) * device.description().timestamp_period_ns * kMsPerNs;
@@ -135,7 +134,7 @@ Submitter::Submitter(const Device& device) : device_(&device) {
     pool_ = device.vk().createCommandPool({vk::CommandPoolCreateFlagBits::eResetCommandBuffer, device.queue_family()});
     commands_ = create_commands(device, pool_);
     fence_ = device.vk().createFence({});
-    if (device.description().timestamps) {
+    if (device.description().timestamp_bits > 0) {
       queries_ = device.vk().createQueryPool({{}, vk::QueryType::eTimestamp, kTimestampCount});
     }
   });
@@ -147,7 +146,7 @@ SubmissionTime Submitter::run(std::span<const Dispatch> dispatches, const Exchan
   if (downloaded_bytes > downloaded_.size_bytes()) {
     downloaded_ = Buffer(*device_, downloaded_bytes, BufferUse::storage_host_visible);
   }
-  const bool timed = device_->description().timestamps;
+  const bool timed = device_->description().timestamp_bits > 0;
   const auto start = std::chrono::steady_clock::now();
   vk_check("running shaders", [&] {
     commands_.reset();

@@ -54,6 +54,7 @@ class Submitter {
  public:
   /// Ready to run on `device`'s queue.
   explicit Submitter(const Device& device);
+  const Device& device() const { return *device_; }
   Submitter(Submitter&&) = default;
   Submitter& operator=(Submitter&&) = delete;
 

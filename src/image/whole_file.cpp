@@ -70,9 +70,10 @@ void write_and_rename(const fs::path& target, const std::string& path,
 void write_whole(const std::string& path, const std::function<void(const std::string& file)>& write) {
   if (path.empty()) fail("\"\"", "the file name is empty");
   try {
-    const fs::path target = follow_links(path);
     std::error_code error;
-    const fs::file_status status = fs::status(target, error);
+    const fs::file_status status = fs::status(path, error);
+    // Of a pipe the link in /dev/fd says no place that could be followed.
+    const fs::path target = fs::is_fifo(status) ? fs::path(path) : follow_links(path);
     if (fs::is_directory(status)) fail(path, "it is a folder");
     // A rename would replace a write-protected file, since that only asks the folder.
     if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) fail(path, reason_of(errno));

@@ -27,17 +27,6 @@ vk::raii::RenderPass make_render_pass(const Device& device, vk::Format format) {
   return vk::raii::RenderPass(device.vk(), vk::RenderPassCreateInfo({}, image, subpass));
 }
 
-/// Index of a memory type among `allowed` that lies on the device.
-std::uint32_t device_memory(const Device& device, std::uint32_t allowed) {
-  const vk::PhysicalDeviceMemoryProperties memory = device.physical().getMemoryProperties();
-  for (std::uint32_t type = 0; type < memory.memoryTypeCount; ++type) {
-    const bool local =
-        static_cast<bool>(memory.memoryTypes[type].propertyFlags & vk::MemoryPropertyFlagBits::eDeviceLocal);
-    if (local && (allowed >> type & 1u) != 0) return type;
-  }
-  throw Error(ErrorKind::failed, "the device has no memory for a picture");
-}
-
 struct Transition {
   vk::ImageLayout from, to;
   vk::AccessFlags before, after;
@@ -98,7 +87,7 @@ void Presenter::set_largest_picture(glm::ivec2 size) {
                                                    vk::SampleCountFlagBits::e1, vk::ImageTiling::eOptimal, usage));
     const vk::MemoryRequirements needs = picture_.getMemoryRequirements();
     picture_memory_ = vk::raii::DeviceMemory(
-        device_.vk(), vk::MemoryAllocateInfo(needs.size, device_memory(device_, needs.memoryTypeBits)));
+        device_.vk(), vk::MemoryAllocateInfo(needs.size, memory_type_for(device_, needs.memoryTypeBits, false)));
     picture_.bindMemory(*picture_memory_, 0);
   });
 }
@@ -233,19 +222,6 @@ void Presenter::submit(std::uint32_t index) {
   device_.queue().submit(vk::SubmitInfo(acquired, wait_stage, commands, drawn), *done_);
   (void)device_.vk().waitForFences(*done_, VK_TRUE, UINT64_MAX);
   device_.vk().resetFences(*done_);
-}
-
-void Presenter::run(const std::function<void(const vk::raii::CommandBuffer&)>& record_all) {
-  vk_check("preparing the window", [&] {
-    commands_.reset();
-    commands_.begin(vk::CommandBufferBeginInfo(vk::CommandBufferUsageFlagBits::eOneTimeSubmit));
-    record_all(commands_);
-    commands_.end();
-    const vk::CommandBuffer commands = *commands_;
-    device_.queue().submit(vk::SubmitInfo({}, {}, commands), *done_);
-    (void)device_.vk().waitForFences(*done_, VK_TRUE, UINT64_MAX);
-    device_.vk().resetFences(*done_);
-  });
 }
 
 }  // namespace vernier

@@ -42,9 +42,6 @@ class Presenter {
   /// The window as it was captured, [height][width][3] display code values in [0, 1]; empty when nothing was.
   Image taken_capture();
 
-  /// Runs `record` on its own and waits: for uploads of who draws.
-  void run(const std::function<void(const vk::raii::CommandBuffer&)>& record);
-
  private:
   void make_swapchain(glm::ivec2 window_size);
   void record(const ShownPicture& picture, std::uint32_t index,

@@ -27,6 +27,15 @@ vk::PresentModeKHR chosen_mode(const Device& device, vk::SurfaceKHR surface) {
   return mailbox ? vk::PresentModeKHR::eMailbox : vk::PresentModeKHR::eFifo;
 }
 
+/// The window is opaque; where the system does not let us say so, what it does with alpha is its own.
+vk::CompositeAlphaFlagBitsKHR chosen_alpha(const vk::SurfaceCapabilitiesKHR& can) {
+  using Alpha = vk::CompositeAlphaFlagBitsKHR;
+  for (const Alpha alpha : {Alpha::eOpaque, Alpha::eInherit, Alpha::ePreMultiplied}) {
+    if (can.supportedCompositeAlpha & alpha) return alpha;
+  }
+  return Alpha::ePostMultiplied;
+}
+
 }  // namespace
 
 Swapchain::Swapchain(const Device& device, vk::SurfaceKHR surface, vk::SurfaceFormatKHR format,
@@ -41,8 +50,7 @@ Swapchain::Swapchain(const Device& device, vk::SurfaceKHR surface, vk::SurfaceFo
     can_be_read_ = static_cast<bool>(usage & vk::ImageUsageFlagBits::eTransferSrc);
     const vk::SwapchainCreateInfoKHR create({}, surface, chosen_image_count(can), format.format, format.colorSpace,
                                             extent_, 1, usage, vk::SharingMode::eExclusive, {}, can.currentTransform,
-                                            vk::CompositeAlphaFlagBitsKHR::eOpaque, chosen_mode(device, surface),
-                                            VK_TRUE, old);
+                                            chosen_alpha(can), chosen_mode(device, surface), VK_TRUE, old);
     swapchain_ = vk::raii::SwapchainKHR(device.vk(), create);
     for (const VkImage image : swapchain_.getImages()) images_.emplace_back(image);
     const vk::ImageSubresourceRange whole(vk::ImageAspectFlagBits::eColor, 0, 1, 0, 1);
@@ -60,7 +68,10 @@ Swapchain::Swapchain(const Device& device, vk::SurfaceKHR surface, vk::SurfaceFo
 vk::SurfaceFormatKHR choose_surface_format(const Device& device, vk::SurfaceKHR surface) {
   const std::uint32_t family = device.queue_family();
   const vk::QueueFlags can = device.physical().getQueueFamilyProperties()[family].queueFlags;
-  if (!(can & vk::QueueFlagBits::eGraphics) || !device.physical().getSurfaceSupportKHR(family, surface)) {
+  const bool presents = (can & vk::QueueFlagBits::eGraphics) && device.physical().getSurfaceSupportKHR(family, surface);
+  // Pictures are copied into the window's images.
+  if (!presents || !(device.physical().getSurfaceCapabilitiesKHR(surface).supportedUsageFlags &
+                     vk::ImageUsageFlagBits::eTransferDst)) {
     throw Error(ErrorKind::no_device, "device " + std::to_string(device.description().index) + " (" +
                                           device.description().name + ") cannot draw into a window here");
   }

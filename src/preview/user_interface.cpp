@@ -9,6 +9,7 @@
 #include <filesystem>
 
 #include "error.h"
+#include "gpu/submission.h"
 
 namespace vernier {
 namespace {
@@ -82,7 +83,7 @@ UserInterface::UserInterface(const Window& window, const VulkanInstance& instanc
   init.CheckVkResultFn = check_result;
   ImGui_ImplVulkan_Init(&init, presenter.render_pass());
 #if IMGUI_VERSION_NUM < 19000  // later ones upload their font with the first frame
-  presenter.run([](const vk::raii::CommandBuffer& commands) { ImGui_ImplVulkan_CreateFontsTexture(*commands); });
+  run_transfer(device, [](const vk::raii::CommandBuffer& commands) { ImGui_ImplVulkan_CreateFontsTexture(*commands); });
   ImGui_ImplVulkan_DestroyFontUploadObjects();
 #endif
 }

@@ -212,7 +212,7 @@ void ViewWindow::measure() {
           frame(0.0);
         },
         [this] { return has_work(); });
-  } catch (const Error&) {
+  } catch (...) {
     state_.measuring.reset();
     throw;
   }

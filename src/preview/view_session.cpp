@@ -58,7 +58,7 @@ void ViewSession::prepare(const RenderSettings& settings) {
   const EffectSet effects = choose_effects(automatic, settings.effects);
   TraceSpecialization specialization = specialize(effects.bits, shape_of(staged_.packed()), effects.depth.bounces,
                                                   wants_aov(settings, "cost"), device_.description());
-  specialization.levels = levels_of(settings.accuracy);
+  specialization.levels = levels_of(settings);
   auto film = std::make_unique<Film>(device_, PixelRect{0, 0, settings.width, settings.height}, true);
   RenderSettings scheduled = settings;
   scheduled.dispatch_ms = std::min(settings.dispatch_ms, kLongestDispatchMs);

@@ -8,6 +8,7 @@
 #include "bvh/hidden_triangles.h"
 #include "bvh/instance_tree.h"
 #include "bvh/triangle_record.h"
+#include "render/append_words.h"
 #include "render/device_instance.h"
 #include "shared/render_constants.h"
 
@@ -65,12 +66,6 @@ SharedTrees build_shared(const Scene& scene, const InstancePlan& plan, BakedScen
   return shared;
 }
 
-void append_words(const DeviceInstance& instance, std::vector<std::uint32_t>& words) {
-  constexpr std::size_t kWords = sizeof(DeviceInstance) / 4;
-  words.resize(words.size() + kWords);
-  std::memcpy(words.data() + words.size() - kWords, &instance, sizeof(instance));
-}
-
 /// The shared meshes' instances, and which of the meshes they use.
 struct PlacedMeshes {
   std::vector<TreeInstance> instances;
@@ -81,13 +76,13 @@ struct PlacedMeshes {
 PlacedMeshes place_meshes(const Scene& scene, const InstancePlan& plan, const TracedSpace& space,
                           const BakedScene& baked, const SharedTrees& shared, SceneTrees& trees) {
   PlacedMeshes placed{{}, std::vector<bool>(plan.meshes.size(), false)};
-  append_words(world_instance(), trees.instances);
+  append_words(trees.instances, world_instance());
   for (std::size_t i = 0; i < scene.instances.size(); ++i) {
     const std::uint32_t object = plan.place[i];
     if (object == NONE || shared.boxes[object].empty()) continue;
     const DeviceInstance instance =
         device_instance(scene.instances[i].world_from_object, plan.spaces[object], space, baked.first_triangles[i]);
-    append_words(instance, trees.instances);
+    append_words(trees.instances, instance);
     const auto number = static_cast<std::uint32_t>(placed.instances.size() + 1);
     placed.instances.push_back({instance_box(instance, shared.boxes[object]), object, number});
     trees.traced_triangles += shared.traced[object];

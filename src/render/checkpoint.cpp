@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "error.h"
+#include "math/elapsed.h"
 
 namespace vernier {
 namespace {
@@ -34,7 +35,7 @@ void Checkpoint::save_start(const PixelRect& area, const TracePosition& start) {
 bool Checkpoint::is_due(std::uint64_t film_bytes) const {
   const double cost_s = last_cost_s_ > 0.0 ? last_cost_s_ : static_cast<double>(film_bytes) / kFirstBytesPerSecond;
   const double wait_s = interval_s_ > 0.0 ? std::max(interval_s_, kCostShare * cost_s) : 0.0;
-  return std::chrono::duration<double>(Clock::now() - last_).count() >= wait_s;
+  return seconds_since(last_) >= wait_s;
 }
 
 void Checkpoint::save(const Device& device, const Film& film, const TracePosition& position,
@@ -50,7 +51,7 @@ void Checkpoint::save(const Device& device, const Film& film, const TracePositio
          .sums = film.read_sums(device),
          .errors = std::move(errors)});
   last_ = Clock::now();
-  last_cost_s_ = std::chrono::duration<double>(last_ - begin).count();
+  last_cost_s_ = seconds_since(begin);
 }
 
 void Checkpoint::write(const SavedFilm& film) {

@@ -44,10 +44,6 @@ struct FileHeader {
 static_assert(sizeof(FileHeader) == 136 && kMagic.size() == 16);
 constexpr std::size_t kUncheckedBytes = offsetof(FileHeader, recipe_bytes);
 
-[[noreturn]] void refuse(const std::string& path, const std::string& reason) {
-  throw Error(ErrorKind::refused, path + ": " + reason);
-}
-
 /// `recipe` is the text of the film's.
 std::uint64_t checksum_of(const FileHeader& header, const std::string& recipe, const SavedFilm& film) {
   std::uint64_t sum = checksum(std::as_bytes(std::span(&header, 1)).subspan(kUncheckedBytes));

@@ -34,8 +34,8 @@ struct SavedFilm {
   std::vector<PixelError> errors;   ///< [area.height][area.width], with an error target; empty: no round yet
 };
 
-/// Writes `film` as the file `path`, whole or not at all (write_whole), and on the disk when this returns. Throws
-/// Error(failed) with `path` and the reason.
+/// Writes `film` as the file `path`, whole or not at all (write_whole), and on the disk before it takes that name, so
+/// that a power failure leaves a whole one, this or the one before. Throws Error(failed) with `path` and the reason.
 void write_film_file(const std::string& path, const SavedFilm& film);
 
 /// Whether `path` begins like a file of write_film_file, of this version.

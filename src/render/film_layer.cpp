@@ -52,7 +52,7 @@ std::vector<std::uint32_t> sums_of_layer(const Layer& layer) {
 void add_sums(std::span<std::uint32_t> sums, std::span<const std::uint32_t> more) {
   for (const std::uint32_t color : {FILM_RED, FILM_GREEN, FILM_BLUE}) add_wide(&sums[color], &more[color]);
   for (const std::uint32_t count : {FILM_HITS, FILM_SAMPLES, FILM_NON_FINITE, FILM_RAYS, FILM_NODES, FILM_TRIANGLES}) {
-    sums[count] += more[count];
+    sums[count] += std::min(more[count], ~sums[count]);  // as saturated_sum of shaders/film.glsl
   }
   sums[FILM_FIRST_NON_FINITE] = first_of(sums[FILM_FIRST_NON_FINITE], more[FILM_FIRST_NON_FINITE]);
 }

@@ -36,7 +36,7 @@ float ray_reach(const RenderConstants& constants, const SteeringConstants& steer
 
 }  // namespace
 
-BoxTree driver_tree(const Device& device, std::span<const BvhRecord> records, float reach) {
+DriverTree driver_tree(const Device& device, std::span<const BvhRecord> records, float reach) {
   std::vector<DeviceBox> boxes;
   boxes.reserve(records.size());
   glm::vec3 extent(0.0f);
@@ -47,7 +47,7 @@ BoxTree driver_tree(const Device& device, std::span<const BvhRecord> records, fl
   }
   const float padding = kDriverPadding * (reach + std::max({extent.x, extent.y, extent.z}));
   for (DeviceBox& box : boxes) box = {box.lo - padding, box.hi + padding};
-  return BoxTree(device, boxes);
+  return DriverTree(device, boxes);
 }
 
 GpuScene::GpuScene(const Device& device, const PackedScene& packed, SceneLoads loads) : loads_(loads) {

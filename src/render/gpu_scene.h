@@ -5,9 +5,9 @@
 #include <span>
 #include <vector>
 
-#include "gpu/box_tree.h"
 #include "gpu/buffer.h"
 #include "gpu/compute_pipeline.h"
+#include "gpu/driver_tree.h"
 #include "render/pack_scene.h"
 #include "render/traversal_form.h"
 
@@ -15,7 +15,7 @@ namespace vernier {
 
 /// The driver's tree over `records`, which are triangles, for rays whose origins have coordinates up to `reach`. Boxes
 /// are wider than the triangles by 2^-19 of what lies between them and the farthest origin.
-BoxTree driver_tree(const Device& device, std::span<const BvhRecord> records, float reach);
+DriverTree driver_tree(const Device& device, std::span<const BvhRecord> records, float reach);
 
 /// The scene on the device. Owns its buffers.
 class GpuScene {
@@ -43,7 +43,7 @@ class GpuScene {
 
   SceneLoads loads_;
   SteeringConstants steering_{};
-  std::optional<BoxTree> tree_;
+  std::optional<DriverTree> tree_;
   float tree_reach_ = 0.0f;  // of the tree
   Buffer constants_, records_, instances_, vertices_, materials_, lights_, textures_, texels_, first_triangles_;
   Buffer srgb_curve_;  // with texel loads

@@ -12,9 +12,6 @@
 namespace vernier {
 namespace {
 
-constexpr std::size_t kFlagsWord = 3;
-constexpr std::size_t kPlaceWord = 7;
-constexpr std::size_t kNumberWord = 11;
 constexpr std::size_t kMaterialWord = 3;  // of a vertex
 
 /// Records that share their vertices.
@@ -65,7 +62,7 @@ class VertexNumbers {
 
 /// Where triangle records name their place in BakedScene::triangles.
 std::size_t place_word(const SceneTrees& trees) {
-  return trees.instances.empty() ? kNumberWord : kPlaceWord;
+  return trees.instances.empty() ? BVH_WORD_NUMBER : BVH_WORD_PLACE;
 }
 
 /// The records of chunk `index`.
@@ -90,8 +87,8 @@ std::vector<SourceVertex> number_vertices(std::span<BvhRecord> chunk, std::size_
     const std::uint32_t first = numbers.number_of({triangle[0], material});
     const std::uint32_t second = numbers.number_of({triangle[1], material});
     const std::uint32_t third = numbers.number_of({triangle[2], material});
-    record[kFlagsWord] |= BVH_VERTEX_BITS(first);
-    record[kPlaceWord] = ((second - first) & 0xffffu) | (third - first) << 16;
+    record[BVH_WORD_FLAGS] |= BVH_VERTEX_BITS(first);
+    record[BVH_WORD_PLACE] = ((second - first) & 0xffffu) | (third - first) << 16;
   });
   return numbers.take_vertices();
 }
@@ -130,7 +127,7 @@ LargeArray<std::uint32_t> lay_out_vertices(BakedScene baked, SceneTrees& trees, 
   if (baked.layout.texels == 0) {
     parallel_for(threads, chunk_count, [&](std::size_t i) {
       for_triangles(chunk_of(records, i), place, baked,
-                    [](BvhRecord& record, const std::uint32_t* triangle) { record[kPlaceWord] = triangle[3]; });
+                    [](BvhRecord& record, const std::uint32_t* triangle) { record[BVH_WORD_PLACE] = triangle[3]; });
     });
     return {};
   }
@@ -144,7 +141,7 @@ LargeArray<std::uint32_t> lay_out_vertices(BakedScene baked, SceneTrees& trees, 
   parallel_for(threads, chunk_count, [&](std::size_t i) {
     copy_vertices(chunks[i], baked, vertices.data() + words * firsts[i]);
     for (BvhRecord& record : chunk_of(records, i)) {
-      if (is_triangle(record)) record[kFlagsWord] = moved_vertex(record[kFlagsWord], firsts[i]);
+      if (is_triangle(record)) record[BVH_WORD_FLAGS] = moved_vertex(record[BVH_WORD_FLAGS], firsts[i]);
     }
   });
   return vertices;

@@ -10,6 +10,7 @@
 #include "render/pack_materials.h"
 #include "render/plan_instances.h"
 #include "render/read_film.h"
+#include "render/tile_tracer.h"
 #include "shared/film_layout.h"
 #include "shared/instance_layout.h"
 
@@ -99,13 +100,13 @@ MemoryNeed need_of_copies(const Scene& scene, std::uint64_t bytes_per_triangle) 
   return need;
 }
 
-MemoryNeed image_need(const RenderSettings& settings) {
+MemoryNeed image_need(const RenderSettings& settings, const DeviceDescription& device) {
   const PixelRect area = image_area(settings);
   const std::uint64_t pixels = static_cast<std::uint64_t>(area.width) * static_cast<std::uint64_t>(area.height);
   const std::uint64_t sums = pixels * FILM_WORDS * sizeof(std::uint32_t);
   const std::uint64_t geometry = wants_geometry(settings) ? Film::aov_bytes(area) : 0;
   MemoryNeed need;
-  need.device_bytes = sums + geometry;
+  need.device_bytes = sums + geometry + tracing_bytes(settings, device);
   // Sums and layers as they are read, twice where they become layers of the image.
   need.host_bytes = (settings.film_layer ? 2 : 1) * sums + 2 * geometry + pixels * kDevelopedBytes;
   return need;

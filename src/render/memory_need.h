@@ -30,8 +30,8 @@ struct MemoryThere {
 /// Of `scene`, by its counts and by what plan_instances makes of its instances.
 MemoryNeed memory_need(const Scene& scene, Sharing sharing = Sharing::automatic);
 
-/// Of the film of an image of `settings`, and on the host of the image that is made of it.
-MemoryNeed image_need(const RenderSettings& settings);
+/// Of the film of an image of `settings`, of paths and samples on `device`, and on the host of the image that is made.
+MemoryNeed image_need(const RenderSettings& settings, const DeviceDescription& device);
 
 /// Of a renderer on the host that copies every instance and keeps so many bytes for each of their triangles.
 MemoryNeed need_of_copies(const Scene& scene, std::uint64_t bytes_per_triangle);

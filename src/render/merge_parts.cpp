@@ -15,10 +15,6 @@
 namespace vernier {
 namespace {
 
-[[noreturn]] void refuse(const std::string& name, const std::string& reason) {
-  throw Error(ErrorKind::refused, name + ": " + reason);
-}
-
 std::string title_of(const std::string& layer) {
   return layer.empty() ? "colours" : "layer `" + layer + "`";
 }

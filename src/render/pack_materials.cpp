@@ -8,6 +8,7 @@
 #include "effects/effective_material.h"
 #include "error.h"
 #include "image/srgb_curve.h"
+#include "render/append_words.h"
 #include "shared/render_constants.h"
 
 namespace vernier {
@@ -37,13 +38,6 @@ std::uint32_t material_flags(const Material& material) {
   if (material.thin_walled) flags |= MATERIAL_THIN_WALLED;
   if (material.fresnel_reflection) flags |= MATERIAL_FRESNEL_REFLECTION;
   return flags;
-}
-
-template <typename Struct>
-void append_words(std::vector<std::uint32_t>& words, const Struct& value) {
-  const std::size_t first = words.size();
-  words.resize(first + sizeof(Struct) / 4);
-  std::memcpy(words.data() + first, &value, sizeof(Struct));
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "error.h"
 #include "math/elapsed.h"
+#include "render/append_words.h"
 #include "render/bake_instances.h"
 #include "render/build_trees.h"
 #include "render/lay_out_vertices.h"
@@ -76,11 +77,8 @@ DeviceLight device_light(const Light& light, const TracedSpace& space) {
 }
 
 std::vector<std::uint32_t> pack_lights(const std::vector<Light>& lights, const TracedSpace& space) {
-  std::vector<std::uint32_t> words(lights.size() * sizeof(DeviceLight) / 4);
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    const DeviceLight light = device_light(lights[i], space);
-    std::memcpy(words.data() + i * sizeof(DeviceLight) / 4, &light, sizeof(light));
-  }
+  std::vector<std::uint32_t> words;
+  for (const Light& light : lights) append_words(words, device_light(light, space));
   return words;
 }
 

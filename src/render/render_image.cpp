@@ -91,7 +91,7 @@ TraceSpecialization specialization_of(const PackedScene& packed, const RenderSet
                                       const DeviceDescription& device) {
   TraceSpecialization specialization = specialize(plan.bits, shape_of(packed), plan.depth.bounces,
                                                   wants_aov(settings, "cost"), device, settings.traversal);
-  specialization.levels = settings.spot_levels.value_or(levels_of(settings.accuracy));
+  specialization.levels = levels_of(settings);
   specialization.mutation = settings.mutation;
   specialization.count_effects = settings.count_effects;
   specialization.listed_pixels = settings.error_target.has_value();

@@ -2,11 +2,19 @@
 
 #include <algorithm>
 
+#include "render/tile_dispatch.h"
+#include "shared/film_layout.h"
+
 namespace vernier {
 namespace {
 
 // llvmpipe leaves loops after 65535 rounds in all: a search takes some twenty, seldom more than sixty.
 constexpr std::uint32_t kLargestSearchBudget = 1u << 10;
+// Half of that limit, for the loop over the samples of a pixel (shaders/accumulate_samples.glsl), which cannot tell
+// whether it was cut off.
+constexpr std::uint64_t kMostListedSamples = 1u << 15;
+// Every device takes 65535 workgroups side by side (maxComputeWorkGroupCount); these are of 64.
+constexpr std::uint64_t kMostListedPixels = 65535u * 64u;
 
 }  // namespace
 
@@ -21,6 +29,20 @@ std::vector<PixelRect> schedule_tiles(const PixelRect& area, glm::ivec2 tile, in
     }
   }
   return tiles;
+}
+
+std::uint64_t jobs_per_sample(glm::ivec2 tile) {
+  return std::uint64_t{blocks_of(tile.x)} * blocks_of(tile.y) * JOB_BLOCK_SIDE * JOB_BLOCK_SIDE;
+}
+
+glm::ivec2 fitting_tile(glm::ivec2 tile, std::uint64_t sample_bytes) {
+  const std::uint64_t most_jobs = std::min(kMostPassBytes / sample_bytes, kMostListedPixels);
+  while (jobs_per_sample(tile) > most_jobs) (tile.x > tile.y ? tile.x : tile.y) /= 2;
+  return tile;
+}
+
+std::uint32_t listed_samples(std::uint64_t room, std::size_t pixels) {
+  return static_cast<std::uint32_t>(std::clamp<std::uint64_t>(room / pixels, 1, kMostListedSamples));
 }
 
 std::vector<SamplePass> schedule_passes(std::uint32_t begin, std::uint32_t end, std::uint32_t first,

@@ -22,6 +22,19 @@ struct SamplePass {
 
 /// Samples of the longest pass.
 constexpr std::uint32_t kMostSamplesPerPass = 16;
+/// The samples of a pass over a tile wait in a buffer of at most that size.
+constexpr std::uint64_t kMostPassBytes = 64u << 20;
+
+/// Jobs of a tile per sample: incomplete blocks count as whole ones (shaders/job.glsl).
+std::uint64_t jobs_per_sample(glm::ivec2 tile);
+
+/// `tile` with its longer side halved until one sample of each pixel, of so many bytes, fits into kMostPassBytes and a
+/// list of all its pixels into the workgroups side by side that every device takes.
+glm::ivec2 fitting_tile(glm::ivec2 tile, std::uint64_t sample_bytes);
+
+/// Samples of a pass over so many listed pixels (at least 1) where `room` samples fit into the buffer: at least 1, and
+/// no more than the accumulate kernel's loop may take.
+std::uint32_t listed_samples(std::uint64_t room, std::size_t pixels);
 
 /// Passes that together take samples [begin, end) of every pixel: `first`, each 4 times the one before, 16 at once but
 /// never more than `most` (both at least 1), so that a whole image is there early and after each pass.

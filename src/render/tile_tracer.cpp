@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cstring>
 #include <thread>
 
 #include "error.h"
@@ -14,8 +13,6 @@
 namespace vernier {
 namespace {
 
-/// Samples of a pass of a tile wait in a buffer of at most that size.
-constexpr std::uint64_t kSampleBytes = 64u << 20;
 /// Invocations per dispatch, in workgroups of kWorkgroup. They take jobs until none is left, so a CPU needs no more
 /// than keep its threads busy: each costs the loading and saving of a path.
 constexpr std::uint32_t kCpuInvocationsPerThread = 256;
@@ -27,30 +24,19 @@ constexpr std::uint32_t kTrustedSearches = 1024;
 /// Searches that an invocation may make, over its even share of a dispatch: a thread that is faster takes more jobs.
 constexpr double kBudgetShare = 2.0;
 
-/// Jobs of a tile per sample: incomplete blocks count as whole ones (shaders/job.glsl).
-std::uint64_t jobs_per_sample(glm::ivec2 tile) {
-  return std::uint64_t{blocks_of(tile.x)} * blocks_of(tile.y) * JOB_BLOCK_SIDE * JOB_BLOCK_SIDE;
-}
-
 std::uint64_t bytes_per_sample(bool count_cost) {
   return SAMPLE_BLOCKS(count_cost) * 16;
 }
 
-/// What the settings ask for, but no larger than the image, and small enough for one sample of each of its pixels.
+/// What the settings ask for, but no larger than the image nor than a pass allows.
 glm::ivec2 chosen_tile(const RenderSettings& settings, int side, const PixelRect& area, std::uint64_t sample_bytes) {
-  glm::ivec2 tile = settings.tile.x > 0 ? settings.tile : glm::ivec2(side);
-  tile = glm::min(tile, glm::ivec2(area.width, area.height));
-  while (jobs_per_sample(tile) * sample_bytes > kSampleBytes) (tile.x > tile.y ? tile.x : tile.y) /= 2;
-  return tile;
-}
-
-std::uint32_t samples_that_fit(glm::ivec2 tile, std::uint64_t sample_bytes) {
-  return static_cast<std::uint32_t>(kSampleBytes / (jobs_per_sample(tile) * sample_bytes));
+  const glm::ivec2 tile = settings.tile.x > 0 ? settings.tile : glm::ivec2(side);
+  return fitting_tile(glm::min(tile, glm::ivec2(area.width, area.height)), sample_bytes);
 }
 
 std::uint32_t samples_per_pass(const RenderSettings& settings, glm::ivec2 tile, std::uint64_t sample_bytes) {
-  return std::min(
-      {samples_that_fit(tile, sample_bytes), kMostSamplesPerPass, settings.sample_end - settings.sample_begin});
+  const auto fitting = static_cast<std::uint32_t>(kMostPassBytes / (jobs_per_sample(tile) * sample_bytes));
+  return std::min({fitting, kMostSamplesPerPass, settings.sample_end - settings.sample_begin});
 }
 
 /// Size of the buffer for a pass of a tile.
@@ -73,6 +59,11 @@ std::uint32_t invocation_count(const DeviceDescription& device, std::uint32_t pa
 
 }  // namespace
 
+std::uint64_t tracing_bytes(const RenderSettings& settings, const DeviceDescription& device) {
+  const std::uint32_t full_stack = waiting_rays(~0u, settings.max_bounces);
+  return path_bytes(invocation_count(device, full_stack), full_stack) + kMostPassBytes;
+}
+
 TileTracer::TileTracer(const Device& device, const GpuScene& scene, SceneLoads loads,
                        const TraceSpecialization& specialization, const RenderSettings& settings, Film& film)
     : scene_(scene),
@@ -88,16 +79,12 @@ TileTracer::TileTracer(const Device& device, const GpuScene& scene, SceneLoads l
                 BufferUse::storage),
       paths_(device, path_bytes(invocations_, specialization.path_stack), BufferUse::storage),
       samples_(device, pass_bytes(settings, tile_, sample_bytes_), stored_use(film_loads(device.description()))),
-      pixels_(device, specialization.listed_pixels ? std::uint64_t{4} * tile_.x * tile_.y : 0,
-              BufferUse::storage_host_visible),
-      unused_(device, 0, BufferUse::storage),
+      pixels_(device, specialization.listed_pixels ? std::uint64_t{4} * tile_.x * tile_.y : 0, BufferUse::storage),
       dispatch_(dispatch_buffer(device)),
       ms_per_search_(kFirstMsPerSearch) {
   std::vector<Binding> bindings = scene.bindings();
-  bindings.insert(bindings.end(), {{BINDING_FILM, &unused_},
-                                   {BINDING_COUNTERS, &counters_},
+  bindings.insert(bindings.end(), {{BINDING_COUNTERS, &counters_},
                                    {BINDING_PATHS, &paths_},
-                                   {BINDING_AOVS, &unused_},
                                    {BINDING_DISPATCH, &dispatch_},
                                    {BINDING_SAMPLES, &samples_},
                                    {BINDING_PIXELS, &pixels_}});
@@ -138,7 +125,7 @@ bool TileTracer::run_tile(const PixelRect& tile, const SamplePass& pass, const s
 
 bool TileTracer::run_pixels(const PixelRect& tile, std::span<const std::uint32_t> pixels, const SamplePass& pass,
                             const std::function<bool()>& stop) {
-  std::memcpy(pixels_.mapped().data(), pixels.data(), pixels.size_bytes());
+  pixels_.upload(submitter_.device(), std::as_bytes(pixels));
   DispatchConstants constants = pass_constants(tile, pass);
   constants.pixel_count = static_cast<std::uint32_t>(pixels.size());
   const Dispatch accumulate = {.pipeline = &accumulate_,
@@ -151,7 +138,7 @@ bool TileTracer::run_pixels(const PixelRect& tile, std::span<const std::uint32_t
 }
 
 std::uint32_t TileTracer::samples_of_pass(std::size_t pixels) const {
-  return std::max(static_cast<std::uint32_t>(samples_.size_bytes() / (sample_bytes_ * pixels)), 1u);
+  return listed_samples(samples_.size_bytes() / sample_bytes_, pixels);
 }
 
 const BindingSet& TileTracer::accumulate_bindings(const PixelRect& tile) const {

@@ -16,6 +16,9 @@
 
 namespace vernier {
 
+/// Bytes of the device for paths and samples, an upper bound, whatever the effects.
+std::uint64_t tracing_bytes(const RenderSettings& settings, const DeviceDescription& device);
+
 /// Pipelines and buffers of the trace and the accumulate kernel, and what they have counted so far. Takes passes of
 /// tiles into a film; which, and in what order, its caller says. Device, scene and film outlive it.
 class TileTracer {
@@ -65,7 +68,7 @@ class TileTracer {
   double wanted_ms_;
   std::uint32_t invocations_;
   Film& film_;
-  Buffer counters_, paths_, samples_, pixels_, unused_, dispatch_;
+  Buffer counters_, paths_, samples_, pixels_, dispatch_;
   ComputePipeline trace_, accumulate_;
   BindingSet trace_bindings_;
   std::vector<BindingSet> accumulate_bindings_;

@@ -29,7 +29,7 @@ StagedScene::StagedScene(const Device& device, PackedScene packed, const Camera&
 TraceSpecialization StagedScene::specialization(std::uint32_t effects) const {
   TraceSpecialization values =
       specialize(effects, shape_of(packed_), settings_.max_bounces, false, device_.description(), settings_.traversal);
-  values.levels = levels_of(settings_.accuracy);
+  values.levels = levels_of(settings_);
   return values;
 }
 

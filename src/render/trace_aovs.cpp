@@ -14,15 +14,10 @@ AovTracer::AovTracer(const Device& device, const GpuScene& scene, SceneLoads loa
       film_(film),
       submitter_(device),
       tile_side_(tile_side(device.description().is_cpu)),
-      unused_(device, 0, BufferUse::storage),
       dispatch_values_(dispatch_buffer(device)) {
   for (Film::Band& band : film.bands()) {
     std::vector<Binding> bindings = scene.bindings();
-    bindings.insert(bindings.end(), {{BINDING_FILM, &unused_},
-                                     {BINDING_COUNTERS, &unused_},
-                                     {BINDING_PATHS, &unused_},
-                                     {BINDING_AOVS, &band.aovs},
-                                     {BINDING_DISPATCH, &dispatch_values_}});
+    bindings.insert(bindings.end(), {{BINDING_AOVS, &band.aovs}, {BINDING_DISPATCH, &dispatch_values_}});
     if (bindings_.empty()) {
       pipeline_ = make_trace_pipeline(device, Kernel::primary, loads, specialization, bindings);
     }

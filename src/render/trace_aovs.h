@@ -26,7 +26,7 @@ class AovTracer {
   Film& film_;
   Submitter submitter_;
   int tile_side_;
-  Buffer unused_, dispatch_values_;
+  Buffer dispatch_values_;
   ComputePipeline pipeline_;
   std::vector<BindingSet> bindings_;  // of each band
 };

@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "error.h"
+#include "math/elapsed.h"
 #include "render/adaptive_trace.h"
 #include "render/checkpoint.h"
 #include "render/tile_schedule.h"
@@ -77,7 +78,7 @@ class TraceRun {
   }
 
  private:
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+  double seconds() const { return seconds_since(start_); }
 
   /// Refuses a saved position that is none of this schedule: one of other limits of the device.
   void check_position() const {

@@ -1,7 +1,6 @@
 #include "render/trace_pipeline.h"
 
 #include <algorithm>
-#include <array>
 
 #include "shared/effects.h"
 #include "shared/specialization_ids.h"
@@ -49,6 +48,10 @@ std::uint32_t levels_of(Accuracy accuracy) {
   return LEVELS_OF(LEVEL_ROBUST);
 }
 
+std::uint32_t levels_of(const RenderSettings& settings) {
+  return settings.spot_levels.value_or(levels_of(settings.accuracy));
+}
+
 std::uint32_t waiting_rays(std::uint32_t effects, std::uint32_t max_bounces) {
   const bool scatters = (effects & (EFFECT_REFLECTION | EFFECT_REFRACTION)) != 0;
   const bool splits = (effects & EFFECT_REFLECTION) != 0 && (effects & EFFECT_REFRACTION) != 0;
@@ -77,25 +80,28 @@ TraceSpecialization specialize(std::uint32_t effects, const SceneShape& scene, s
   return values;
 }
 
+std::vector<SpecializationValue> specialization_values(const TraceSpecialization& specialization) {
+  return {{SPECIALIZATION_EFFECTS, specialization.effects},
+          {SPECIALIZATION_TRAVERSAL_STACK, specialization.traversal_stack},
+          {SPECIALIZATION_SHIFT_STACK, specialization.shift_stack ? 1u : 0u},
+          {SPECIALIZATION_PATH_STACK, specialization.path_stack},
+          {SPECIALIZATION_COUNT_COST, specialization.count_cost ? 1u : 0u},
+          {SPECIALIZATION_COUNT_EFFECTS, specialization.count_effects ? 1u : 0u},
+          {SPECIALIZATION_LISTED_PIXELS, specialization.listed_pixels ? 1u : 0u},
+          {SPECIALIZATION_INSTANCED, specialization.instanced ? 1u : 0u},
+          {SPECIALIZATION_COARSE, specialization.coarse ? 1u : 0u},
+          {SPECIALIZATION_TEST_LAST, specialization.test_last ? 1u : 0u},
+          {SPECIALIZATION_WORKFLOWS, specialization.workflows},
+          {SPECIALIZATION_LEVELS, specialization.levels},
+          {SPECIALIZATION_MUTATION, specialization.mutation}};
+}
+
 ComputePipeline make_trace_pipeline(const Device& device, Kernel kernel, SceneLoads loads,
                                     const TraceSpecialization& specialization, std::span<const Binding> bindings) {
   require_loads(device.description(), loads);
-  const std::array<SpecializationValue, 13> values = {
-      SpecializationValue{SPECIALIZATION_EFFECTS, specialization.effects},
-      SpecializationValue{SPECIALIZATION_TRAVERSAL_STACK, specialization.traversal_stack},
-      SpecializationValue{SPECIALIZATION_SHIFT_STACK, specialization.shift_stack ? 1u : 0u},
-      SpecializationValue{SPECIALIZATION_PATH_STACK, specialization.path_stack},
-      SpecializationValue{SPECIALIZATION_COUNT_COST, specialization.count_cost ? 1u : 0u},
-      SpecializationValue{SPECIALIZATION_COUNT_EFFECTS,
-                          specialization.count_effects && kernel == Kernel::trace ? 1u : 0u},
-      SpecializationValue{SPECIALIZATION_LISTED_PIXELS, specialization.listed_pixels ? 1u : 0u},
-      SpecializationValue{SPECIALIZATION_INSTANCED, specialization.instanced ? 1u : 0u},
-      SpecializationValue{SPECIALIZATION_COARSE, specialization.coarse ? 1u : 0u},
-      SpecializationValue{SPECIALIZATION_TEST_LAST, specialization.test_last ? 1u : 0u},
-      SpecializationValue{SPECIALIZATION_WORKFLOWS, specialization.workflows},
-      SpecializationValue{SPECIALIZATION_LEVELS, specialization.levels},
-      SpecializationValue{SPECIALIZATION_MUTATION, specialization.mutation}};
-  return ComputePipeline(device, spirv_of(kernel, loads), bindings, 0, values);
+  TraceSpecialization of_kernel = specialization;
+  of_kernel.count_effects = specialization.count_effects && kernel == Kernel::trace;
+  return ComputePipeline(device, spirv_of(kernel, loads), bindings, 0, specialization_values(of_kernel));
 }
 
 std::string trace_spirv_hash(SceneLoads loads) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "gpu/compute_pipeline.h"
 #include "render/gpu_scene.h"
@@ -45,6 +46,8 @@ inline SceneShape shape_of(const PackedScene& packed) {
 
 /// The levels of all spots at `accuracy`.
 std::uint32_t levels_of(Accuracy accuracy);
+/// Those that `settings` ask for.
+std::uint32_t levels_of(const RenderSettings& settings);
 
 /// Names of SPOT_*, by number.
 inline constexpr std::array<const char*, SPOT_COUNT> kSpotNames{"box",     "triangle", "position", "spawn",
@@ -59,6 +62,10 @@ std::uint32_t waiting_rays(std::uint32_t effects, std::uint32_t max_bounces);
 TraceSpecialization specialize(std::uint32_t effects, const SceneShape& scene, std::uint32_t max_bounces,
                                bool count_cost, const DeviceDescription& device,
                                TraversalForm form = TraversalForm::automatic);
+
+/// The constants of kernels that search, for all of `specialization`. Those that a module does not have are passed
+/// over.
+std::vector<SpecializationValue> specialization_values(const TraceSpecialization& specialization);
 
 /// Which kernel.
 enum class Kernel {

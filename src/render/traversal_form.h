@@ -1,6 +1,8 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
+#include <string>
 #include <string_view>
 
 #include "error.h"
@@ -54,8 +56,16 @@ constexpr SceneLoads choose_scene_loads(const DeviceDescription& device,
   return texels ? SceneLoads::texels : SceneLoads::storage;
 }
 
+/// Storage texel buffers that kernels with SceneLoads::texels bind (shaders/buffers.glsl).
+constexpr std::uint32_t kTexelBuffers = 9;
+
 /// Throws Error(refused) where `device` lacks what kernels with `loads` take.
 inline void require_loads(const DeviceDescription& device, SceneLoads loads) {
+  if (loads == SceneLoads::texels && device.max_storage_texel_buffers < kTexelBuffers) {
+    throw Error(ErrorKind::refused, "device " + device.name + ": " + std::to_string(device.max_storage_texel_buffers) +
+                                        " storage texel buffers for a shader, " + std::to_string(kTexelBuffers) +
+                                        " are needed; try --traversal storage-array");
+  }
   if (loads == SceneLoads::texels && !device.subgroup_ballot) {
     throw Error(ErrorKind::refused, "device " + device.name + ": no ballots of subgroups, which kernels that read " +
                                         "texels take; try --traversal storage-array");

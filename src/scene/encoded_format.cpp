@@ -14,10 +14,6 @@ namespace {
 
 using namespace std::string_view_literals;
 
-[[noreturn]] void refuse(const std::string& name, const std::string& what) {
-  throw Error(ErrorKind::refused, name + ": " + what);
-}
-
 struct Signature {
   std::string_view bytes;
   std::size_t offset;

@@ -15,10 +15,6 @@ namespace {
 constexpr std::uint64_t kLargestText = std::uint64_t{1} << 34;
 constexpr std::uint64_t kStartBytes = 512;
 
-[[noreturn]] void refuse(const std::string& place, const std::string& what) {
-  throw Error(ErrorKind::refused, place + ": " + what);
-}
-
 /// The file at `path`, opened at its end: where that is, is its size.
 std::ifstream open_at_end(const std::string& path, const std::string& place) {
   std::error_code failure;

@@ -9,6 +9,7 @@ namespace {
 
 /// An accessor without bufferView costs the file nothing: it may ask for less than real bytes may.
 constexpr std::uint64_t kMaxZeroBytes = std::uint64_t{1} << 26;
+constexpr std::uint64_t kMaxZeroBytesOfFile = std::uint64_t{1} << 28;
 
 const tinygltf::Accessor& accessor_at(const GltfDocument& document, int accessor) {
   return document.model.accessors[static_cast<std::size_t>(accessor)];
@@ -169,6 +170,15 @@ std::size_t gltf_component_count(int type) {
   return count > 0 ? static_cast<std::size_t>(count) : 0;
 }
 
+void count_gltf_zeros(const GltfDocument& document, const std::string& place, std::uint64_t bytes) {
+  document.zero_bytes += bytes;
+  if (document.zero_bytes > kMaxZeroBytesOfFile) {
+    refuse_gltf(
+        document, place,
+        "accessors without bufferView ask for more than " + std::to_string(kMaxZeroBytesOfFile) + " bytes in all");
+  }
+}
+
 void check_element_count(const GltfDocument& document, const std::string& place, std::size_t count,
                          std::size_t vertex_count) {
   if (count == vertex_count) return;
@@ -180,9 +190,6 @@ std::vector<std::byte> read_gltf_elements(const GltfDocument& document, int inde
   const tinygltf::Accessor& accessor = accessor_at(document, index);
   const std::string place = accessor_place(asker, index);
   const std::uint64_t element = element_bytes(accessor);
-  if (element == 0) {
-    refuse_gltf(document, place, "component type " + std::to_string(accessor.componentType) + " does not exist");
-  }
   const std::uint64_t limit = accessor.bufferView >= 0 ? kMaxGltfBytes : kMaxZeroBytes;
   if (accessor.count > limit / element) {
     refuse_gltf(document, place,
@@ -192,6 +199,7 @@ std::vector<std::byte> read_gltf_elements(const GltfDocument& document, int inde
   if (accessor.bufferView >= 0) {
     copy_view(document, accessor, place, elements);
   } else {
+    count_gltf_zeros(document, place, accessor.count * element);
     elements.resize(accessor.count * element);
   }
   if (accessor.sparse.isSparse) apply_sparse(document, accessor, place, elements);

@@ -41,6 +41,7 @@ struct GltfDocument {
   std::vector<GltfImage> images;
   std::vector<std::string> files;  ///< read so far, as Scene::files
   std::vector<std::string> warnings;
+  mutable std::uint64_t zero_bytes = 0;  ///< made so far for accessors without bufferView (gltf_accessors.h)
 };
 
 /// Throws Error(refused) `path: place: what`; an empty place is left out.

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "error.h"
+#include "scene/gltf_required.h"
 #include "scene/gltf_types.h"
 
 namespace vernier {
@@ -14,10 +15,6 @@ namespace {
 using nlohmann::json;
 
 constexpr int kMaxNesting = 64;
-
-[[noreturn]] void refuse(const std::string& path, const std::string& what) {
-  throw Error(ErrorKind::refused, path + ": " + what);
-}
 
 // Done on the text: parsers and destructors further down recurse once per level.
 void check_nesting(std::string_view text, const std::string& path) {
@@ -80,6 +77,8 @@ void normalise_number(json& number, const std::string& key) {
     }
   } else if (std::abs(value) > kIntMax && !may_be_large(key)) {
     number = value;
+  } else if (value == 0.0) {
+    number = 0u;  // JSON has a -0
   }
 }
 
@@ -110,6 +109,7 @@ GltfJson parse_gltf_json(std::span<const std::byte> text, const std::string& pat
   check_version(result.root, path);
   normalise(result.root, "", "", result);
   check_gltf_types(result.root, path);
+  check_gltf_required(result.root, path);
   return result;
 }
 

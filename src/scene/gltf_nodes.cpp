@@ -64,6 +64,9 @@ bool is_visible(const tinygltf::Node& node) {
   return extension->Get("visible").Get<bool>();
 }
 
+/// What an instance takes while the file is read: its transform, twice, and what it is made of.
+constexpr std::uint64_t kInstanceBytes = 2 * sizeof(glm::dmat4) + 40;
+
 int instancing_accessor(const GltfDocument& document, const tinygltf::Value& attributes, const char* name,
                         const std::string& place, std::size_t& count) {
   const int accessor = gltf_index(attributes, name, -1);
@@ -72,6 +75,9 @@ int instancing_accessor(const GltfDocument& document, const tinygltf::Value& att
   const std::size_t elements = document.model.accessors[static_cast<std::size_t>(accessor)].count;
   if (count != 0 && elements != count) refuse_gltf(document, place, "its attributes have different counts");
   count = elements;
+  if (document.model.accessors[static_cast<std::size_t>(accessor)].bufferView < 0) {
+    count_gltf_zeros(document, place, count * kInstanceBytes);
+  }
   return accessor;
 }
 

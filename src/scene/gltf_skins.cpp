@@ -26,11 +26,12 @@ std::vector<Influence> read_influences(const GltfDocument& document, const tinyg
     const auto joints = primitive.attributes.find("JOINTS_" + std::to_string(set));
     const auto weights = primitive.attributes.find("WEIGHTS_" + std::to_string(set));
     if (joints == primitive.attributes.end() || weights == primitive.attributes.end()) return influences;
-    const std::string set_place = place + ", JOINTS_" + std::to_string(set);
-    influences.push_back({read_gltf_joints(document, joints->second, set_place),
-                          read_gltf_vectors<4>(document, weights->second, set_place)});
-    check_element_count(document, set_place, influences.back().joints.size(), vertex_count);
-    check_element_count(document, set_place, influences.back().weights.size(), vertex_count);
+    const std::string joints_place = place + ", JOINTS_" + std::to_string(set);
+    const std::string weights_place = place + ", WEIGHTS_" + std::to_string(set);
+    influences.push_back({read_gltf_joints(document, joints->second, joints_place),
+                          read_gltf_vectors<4>(document, weights->second, weights_place)});
+    check_element_count(document, joints_place, influences.back().joints.size(), vertex_count);
+    check_element_count(document, weights_place, influences.back().weights.size(), vertex_count);
   }
 }
 
@@ -103,7 +104,8 @@ std::vector<glm::dmat4> gltf_joint_matrices(const GltfDocument& document, int in
 void apply_gltf_skin(GltfDocument& document, const tinygltf::Primitive& primitive, std::span<const glm::dmat4> joints,
                      const std::string& place, Mesh& vertices) {
   const std::vector<Influence> influences = read_influences(document, primitive, place, vertices.positions.size());
-  if (influences.empty()) warn_gltf(document, place, "it has a skin but no joints, and stays where it is");
+  if (influences.empty())
+    warn_gltf(document, place, "it has a skin but not both JOINTS_0 and WEIGHTS_0, and stays where it is");
   for (std::size_t v = 0; v < vertices.positions.size(); ++v) {
     glm::dmat4 blended;
     const double sum = blend_joints(document, influences, joints, v, place, blended);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string_view>
 
 #include "error.h"
@@ -60,6 +61,7 @@ constexpr Member kMembers[] = {
     {"skins", "joints", Type::wholes},
     {"sparse", "count", Type::small_count},
     {"sparse", "indices", Type::object},
+    {"sparse", "values", Type::object},
     {"*", "buffer", Type::whole},
     {"*", "bufferView", Type::whole},
     {"*", "byteLength", Type::whole},
@@ -125,8 +127,12 @@ constexpr Member kMembers[] = {
     {"*", "zfar", Type::number},
     {"*", "znear", Type::number},
     {"accessors", "normalized", Type::truth},
+    {"materials", "doubleSided", Type::truth},
     {"KHR_node_visibility", "visible", Type::truth},
+    {"accessors", "type", Type::text},
+    {"cameras", "type", Type::text},
     {"lights", "type", Type::text},
+    {"materials", "alphaMode", Type::text},
 
     {"*", "attributes", Type::object},
     {"*", "baseColorTexture", Type::object},
@@ -135,7 +141,9 @@ constexpr Member kMembers[] = {
     {"*", "metallicRoughnessTexture", Type::object},
     {"*", "normalTexture", Type::object},
     {"*", "occlusionTexture", Type::object},
+    {"*", "orthographic", Type::object},
     {"*", "pbrMetallicRoughness", Type::object},
+    {"*", "perspective", Type::object},
     {"*", "sparse", Type::object},
     {"*", "specularColorTexture", Type::object},
     {"*", "specularGlossinessTexture", Type::object},
@@ -155,8 +163,9 @@ constexpr std::string_view kExtensions[] = {
     "KHR_node_visibility",     "KHR_texture_transform",
 };
 
-bool are_all(const json& list, bool (json::*is)() const noexcept, std::size_t least = 0) {
-  return list.is_array() && list.size() >= least &&
+/// Whether `list` is one, of `count` elements where that is said, which all are so.
+bool are_all(const json& list, bool (json::*is)() const noexcept, std::optional<std::size_t> count = {}) {
+  return list.is_array() && list.size() == count.value_or(list.size()) &&
          std::ranges::all_of(list, [&](const json& one) { return (one.*is)(); });
 }
 
@@ -209,9 +218,10 @@ void check_type(const json& value, Type type, const std::string& name, const std
 void check_value(const json& value, const std::string& owner, const std::string& place, const std::string& path);
 
 void check_extensions(const json& extensions, const std::string& place, const std::string& path) {
-  if (!extensions.is_object()) return;
+  check_type(extensions, Type::object, "extensions", place, path);
+  if (!extensions.is_object()) return;  // null
   for (const auto& [name, extension] : extensions.items()) {
-    if (std::ranges::find(kExtensions, name) == std::end(kExtensions)) continue;
+    if (!is_checked_gltf_extension(name)) continue;
     check_type(extension, Type::object, name, place, path);
     check_value(extension, name, place, path);
   }
@@ -247,6 +257,10 @@ std::string gltf_element_name(const std::string& array, std::size_t index) {
   std::string singular = array == "meshes" ? "mesh" : array;
   if (singular.ends_with('s')) singular.pop_back();
   return singular + " " + std::to_string(index);
+}
+
+bool is_checked_gltf_extension(std::string_view name) {
+  return std::ranges::find(kExtensions, name) != std::end(kExtensions);
 }
 
 void check_gltf_types(const json& root, const std::string& path) {

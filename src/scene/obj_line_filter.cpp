@@ -50,7 +50,10 @@ bool is_plain_number(std::string_view word) {
 
 // nan, -inf, -nan(ind), 1.#QNAN and the like.
 bool is_non_finite(std::string_view word) {
-  if (word.find('#') != std::string_view::npos) return is_digit(word[0]) || word[0] == '-';
+  if (const std::size_t mark = word.find(".#"); mark != std::string_view::npos) {
+    const std::string_view what = word.substr(mark + 2);
+    return what.starts_with("IND") || what.starts_with("INF") || what.starts_with("QNAN") || what.starts_with("SNAN");
+  }
   const std::size_t sign = word[0] == '-' || word[0] == '+' ? 1 : 0;
   std::string head(word.substr(sign, 3));
   std::ranges::transform(head, head.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
@@ -130,15 +133,28 @@ void ObjLineFilter::write(std::string_view text) {
 
 void ObjLineFilter::write_vertex(std::string_view text, std::string_view keyword, std::string_view rest) {
   const std::size_t least = keyword == "vt" ? 1 : 3;
+  constexpr std::size_t kPlaceWeightAndColor = 7;
   out_.append(keyword);
   std::size_t count = 0;
+  std::size_t fourth = 0, fifth = 0;  // where they begin
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
-    const bool plain = is_plain_number(word);
-    if (!plain && word[0] == '#') break;
-    if (!plain && !is_non_finite(word)) refuse(printable(word) + " is not a number");
+    bool plain = is_plain_number(word);
+    const bool finite = plain || !is_non_finite(word);
+    const std::size_t comment = finite && !plain ? word.find('#') : std::string_view::npos;
+    if (comment == 0) break;
+    if (comment != std::string_view::npos) {
+      word = word.substr(0, comment);
+      rest = {};
+      plain = is_plain_number(word);
+    }
+    if (finite && !plain) refuse(printable(word) + " is not a number");
+    if (count == 3) fourth = out_.size();
+    if (count == 4) fifth = out_.size();
     out_.append(" ").append(plain ? word : kInfinity);
     ++count;
   }
+  // The loader takes the fourth for red.
+  if (keyword == "v" && count == kPlaceWeightAndColor) out_.erase(fourth, fifth - fourth);
   uv_count_ += keyword == "vt" ? 1 : 0;
   normal_count_ += keyword == "vn" ? 1 : 0;
   if (count < least) refuse(printable(text) + " has fewer than " + std::to_string(least) + " numbers");

@@ -176,8 +176,16 @@ std::string find_library(const std::string& name, const std::string& obj_folder)
   return {};
 }
 
+/// Of a library that cannot be read nothing but a warning, as of one that is not there.
 MtlLibrary read_library(Scene& scene, const std::string& path, const LoadOptions& options) {
-  MtlLibrary library = parse_mtl(read_text(path));
+  MtlLibrary library;
+  try {
+    library = parse_mtl(read_text(path));
+  } catch (const MemoryError&) {
+    throw;
+  } catch (const Error& error) {
+    warn_unsupported(scene, options, std::string(error.what()) + "; its materials are grey");
+  }
   note_file(scene.files, path);
   for (const std::string& line : library.unsupported) warn_unsupported(scene, options, path + ": " + line);
   for (const std::string& line : library.faults) scene.warnings.push_back(path + ": " + line);
@@ -203,7 +211,10 @@ std::map<std::string, std::uint32_t> load_obj_materials(LoadingScene& loading, c
     const MtlLibrary library = read_library(scene, path, options);
     const std::set<std::string> at_once = normals_with_heights(library);
     for (const MtlMaterial& source : library.materials) {
-      if (!index_by_name.try_emplace(source.name, static_cast<std::uint32_t>(scene.materials.size())).second) continue;
+      if (!index_by_name.try_emplace(source.name, static_cast<std::uint32_t>(scene.materials.size())).second) {
+        scene.warnings.push_back(path + ": material " + printable(source.name) + " was there before; the first counts");
+        continue;
+      }
       scene.materials.push_back(blinn_material(source, path + ": material " + printable(source.name), scene.warnings));
       add_textures(scene, textures, scene.materials.back(), source, folder_of(path), at_once);
     }

@@ -13,14 +13,6 @@
 #include "scene/texel_memory.h"
 
 namespace vernier {
-namespace {
-
-[[noreturn]] void refuse(const std::string& name, const std::string& what) {
-  throw Error(ErrorKind::refused, name + ": " + what);
-}
-
-}  // namespace
-
 std::shared_ptr<const Texels> decode_texels(std::span<const std::byte> encoded, const std::string& name,
                                             TexelEncoding encoding) {
   if (encoded.empty()) refuse(name, "the image is empty");

@@ -163,7 +163,7 @@ CaseResult run_box_alone(const CaseSetup& setup) {
   Tally tally;
   RecordKernel boxes(setup, VERIFY_BOXES);
   RecordKernel triangles(setup, VERIFY_TRIANGLES);
-  for (std::uint64_t first = 0; first < setup.sample_count; first += kRaysPerNode) {
+  for (std::uint64_t first = 0; setup.wants(first); first += kRaysPerNode) {
     SampleRandom numbers = mesh_random(setup, kName, static_cast<std::uint32_t>(first / kRaysPerNode));
     // In half of the nodes close together: the boxes of a wide node have more room than any fault takes.
     VerifyMesh mesh = triangle_soup(4, numbers.power_of_ten(-6.0, -0.5), numbers);

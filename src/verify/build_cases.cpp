@@ -57,7 +57,7 @@ CaseResult run_scale(const CaseSetup& setup) {
   const RayScene unscaled(*setup.device, pack_scene(scene_with(target.mesh, glm::dmat4(1.0)), 0), setup.traversal);
   RayKernel kernel(setup, VERIFY_RESPAWN);
   Tally tally;
-  for (std::uint64_t first = 0; first < setup.sample_count; first += kRaysPerScale) {
+  for (std::uint64_t first = 0; setup.wants(first); first += kRaysPerScale) {
     const int exponent = kLowest + static_cast<int>(first / kRaysPerScale % (kHighest - kLowest + 1));
     const double scale = std::ldexp(1.0, exponent);
     PackedScene packed = pack_scene(scene_with(target.mesh, scaling(glm::dvec3(scale))), 0);
@@ -205,7 +205,7 @@ CaseResult run_build_order(const CaseSetup& setup) {
   const RayScene in_order(*setup.device, triangles, setup.traversal);
   RayKernel kernel(setup, VERIFY_RESPAWN);
   Tally tally;
-  for (std::uint64_t first = 0; first < setup.sample_count; first += kSamplesPerTarget) {
+  for (std::uint64_t first = 0; setup.wants(first); first += kSamplesPerTarget) {
     SampleRandom shuffle = mesh_random(setup, kName, 1 + static_cast<std::uint32_t>(first / kSamplesPerTarget));
     for (std::size_t i = triangles.size(); i > 1; --i) {
       std::swap(triangles[i - 1], triangles[shuffle.below(static_cast<std::uint32_t>(i))]);

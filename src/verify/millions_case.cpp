@@ -65,7 +65,7 @@ CaseResult run_millions(const CaseSetup& setup) {
   RecordKernel every(setup, VERIFY_TRIANGLES);
   std::unique_ptr<Landscape> land;
   Tally tally;
-  for (std::uint64_t first = 0; first < setup.sample_count; first += kRaysPerPatch) {
+  for (std::uint64_t first = 0; setup.wants(first); first += kRaysPerPatch) {
     const std::uint32_t cells = first < kSmallSamples ? kSmallCells : kLargeCells;
     if (!land || land->cells != cells) land = std::make_unique<Landscape>(landscape(setup, kName, cells));
     SampleRandom random(setup.seed, kName, first);

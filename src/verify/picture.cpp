@@ -73,7 +73,7 @@ std::array<PixelRay, 5> nearby_rays(const PixelRay& ray, double angle) {
 void for_each_picture(const CaseSetup& setup, const char* name, int side, std::uint64_t most_pictures,
                       const std::function<void(SampleRandom& random, std::uint64_t number)>& take) {
   const std::uint64_t pixels = static_cast<std::uint64_t>(side) * static_cast<std::uint64_t>(side);
-  for (std::uint64_t number = 0; number < most_pictures && number * pixels < setup.sample_count; ++number) {
+  for (std::uint64_t number = 0; number < most_pictures && setup.wants(number * pixels); ++number) {
     SampleRandom random(setup.seed, name, number);
     take(random, number);
   }

@@ -48,7 +48,7 @@ SceneLoads loads_of_tree(const Device& device, TraversalForm form) {
 /// The triangles of a tree without its nodes, and the driver's tree over them.
 struct DriverScene {
   Buffer records;
-  BoxTree tree;
+  DriverTree tree;
 };
 
 DriverScene driver_scene(const Device& device, const Bvh& bvh, std::span<const RayQuery> queries) {
@@ -128,20 +128,14 @@ DispatchConstants RayScene::constants() const {
 
 const ComputePipeline& RayKernel::pipeline_for(const RayScene& scene, std::span<const Binding> bindings) {
   const DeviceDescription& device = setup_.device->description();
-  const TraceSpecialization stack = specialize(0, scene.shape(), 0, true, device, setup_.traversal);
-  const std::tuple key{stack.traversal_stack, stack.instanced, stack.coarse};
+  TraceSpecialization specialization = specialize(0, scene.shape(), 0, true, device, setup_.traversal);
+  specialization.levels = setup_.levels;
+  specialization.mutation = setup_.mutation;
+  const std::tuple key{specialization.traversal_stack, specialization.instanced, specialization.coarse};
   const auto found = by_shape_.find(key);
   if (found != by_shape_.end()) return found->second;
-  const std::vector<SpecializationValue> values{{SPECIALIZATION_EFFECTS, stack.effects},
-                                                {SPECIALIZATION_TRAVERSAL_STACK, stack.traversal_stack},
-                                                {SPECIALIZATION_SHIFT_STACK, stack.shift_stack ? 1u : 0u},
-                                                {SPECIALIZATION_INSTANCED, stack.instanced ? 1u : 0u},
-                                                {SPECIALIZATION_COARSE, stack.coarse ? 1u : 0u},
-                                                {SPECIALIZATION_TEST_LAST, stack.test_last ? 1u : 0u},
-                                                {SPECIALIZATION_COUNT_COST, 1u},
-                                                {SPECIALIZATION_LEVELS, setup_.levels},
-                                                {SPECIALIZATION_MUTATION, setup_.mutation},
-                                                {SPECIALIZATION_FUNCTION, function_}};
+  std::vector<SpecializationValue> values = specialization_values(specialization);
+  values.push_back({SPECIALIZATION_FUNCTION, function_});
   ComputePipeline pipeline(*setup_.device, ray_spirv(choose_scene_loads(device, setup_.traversal)), bindings, 0,
                            values);
   return by_shape_.emplace(key, std::move(pipeline)).first->second;

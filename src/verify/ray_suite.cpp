@@ -45,7 +45,7 @@ void for_each_run(const CaseSetup& setup, const char* name, std::size_t targets,
   // One target needs no turns: longer runs spare submissions.
   constexpr std::uint64_t kLongRun = 1u << 16;
   const std::uint64_t run = targets == 1 ? kLongRun : kSamplesPerTarget;
-  for (std::uint64_t first = 0; first < setup.sample_count; first += run) {
+  for (std::uint64_t first = 0; setup.wants(first); first += run) {
     const auto target = static_cast<std::uint32_t>(first / run % targets);
     std::vector<RayQuery> queries(std::min(run, setup.sample_count - first));
     for (std::uint64_t i = 0; i < queries.size(); ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -20,6 +21,10 @@ struct CaseSetup {
   TraversalForm traversal = TraversalForm::automatic;  ///< of rays and pictures
   std::uint64_t seed = 0;                              ///< the inputs are a function of seed, case and sample number
   std::uint64_t sample_count = 1u << 16;               ///< wanted; a case may round up to its own grain
+  std::function<bool()> stop;                          ///< true: no more samples are begun; may be empty
+
+  /// Whether sample number `sample` is to be taken.
+  bool wants(std::uint64_t sample) const { return sample < sample_count && !(stop && stop()); }
 };
 
 /// What a case found. Filled by Tally.

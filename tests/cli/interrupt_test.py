@@ -26,10 +26,10 @@ class InterruptTest(ProgramTest):
                 return
         self.fail("no progress line")
 
-    def check_interrupt(self, arguments, name, magic):
+    def check_interrupt(self, arguments, name, magic, sent=signal.SIGINT):
         process = self.start(arguments)
         self.wait_for_progress(process)
-        process.send_signal(signal.SIGINT)
+        process.send_signal(sent)
         _, errors = process.communicate(timeout=120)
         self.assertEqual(process.returncode, FAILED, errors)
         self.assertIn(f"error: {name}: interrupted", errors)
@@ -38,6 +38,17 @@ class InterruptTest(ProgramTest):
 
     def test_first_interrupt_writes_the_image(self):
         self.check_interrupt(ENDLESS, "out.png", b"\x89PNG")
+
+    def test_being_asked_to_end_is_an_interrupt(self):
+        self.check_interrupt(ENDLESS, "out.png", b"\x89PNG", signal.SIGTERM)
+
+    def test_a_case_of_verify_ends_early(self):
+        process = self.start(["verify", "--case", "shared_edge", "--rays", "1000000000", "--quiet", "--json", "v.json"])
+        time.sleep(4.0)
+        process.send_signal(signal.SIGINT)
+        _, errors = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, FAILED, errors)
+        self.assertLess(json.loads((self.folder / "v.json").read_text())["cases"][0]["samples"], 1000000000)
 
     def test_the_reference_is_interrupted_alike(self):
         self.check_interrupt(ENDLESS_REFERENCE, "out.exr", b"v/1\x01")

@@ -3,6 +3,7 @@
 #include <set>
 #include <tuple>
 
+#include "shader/job_count.h"
 #include "shader/random_values.h"
 #include "shader/shader.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 
+#include "shader/job_count.h"
 #include "shader/shader.h"
 #include "shader/tiny_scene.h"
 

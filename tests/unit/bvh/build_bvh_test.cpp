@@ -118,17 +118,20 @@ TEST(BuildBvh, PassesOnWhatTheCallbackThrows) {
   EXPECT_THROW(build_bvh(triangles, fail, 3), std::runtime_error);
 }
 
-// The others wait for tasks of the thread that failed.
+// The others wait for tasks of the thread that failed, and finish theirs after it: whether it fails alone or all do.
 TEST(BuildBvh, EndsWhereProgressThrows) {
   const Triangles triangles = random_soup(20000, 0.1f, 14);
-  for (int calls = 1; calls < 4; ++calls) {
-    std::atomic<int> call = 0;
-    const auto fail = [&](double) {
-      if (++call < calls) return;
-      std::this_thread::sleep_for(std::chrono::milliseconds(20));
-      throw std::runtime_error("interrupted");
-    };
-    EXPECT_THROW(build_bvh(triangles, {}, 8, BuildMethod::standard, fail), std::runtime_error) << calls;
+  for (const bool once : {false, true}) {
+    for (int calls = 1; calls < 4; ++calls) {
+      std::atomic<int> call = 0;
+      const auto fail = [&](double) {
+        const int number = ++call;
+        if (number < calls || (once && number > calls)) return;
+        if (!once) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        throw std::runtime_error("interrupted");
+      };
+      EXPECT_THROW(build_bvh(triangles, {}, 8, BuildMethod::standard, fail), std::runtime_error) << calls << once;
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <stdexcept>
@@ -66,6 +67,18 @@ TEST(WholeFile, ADeviceIsWrittenAndNotReplaced) {
   EXPECT_TRUE(std::filesystem::is_character_file("/dev/null"));
   expect_error(ErrorKind::failed, "/dev/full: cannot write: No space left on device",
                [] { write_text("/dev/full", "a"); });
+}
+
+// As a shell's >(command) names one.
+TEST(WholeFile, APipeIsWrittenByTheNameOfItsDescriptor) {
+  int ends[2];
+  ASSERT_EQ(pipe(ends), 0);
+  write_text("/dev/fd/" + std::to_string(ends[1]), "through");
+  std::string read(7, ' ');
+  EXPECT_EQ(::read(ends[0], read.data(), read.size()), 7);
+  EXPECT_EQ(read, "through");
+  close(ends[0]);
+  close(ends[1]);
 }
 
 TEST(WholeFile, FollowsALinkAndKeepsIt) {

@@ -48,6 +48,14 @@ TEST(AddSums, CarriesFromWordToWord) {
   EXPECT_EQ(sums[FILM_RED] + sums[FILM_BLUE], 0u);
 }
 
+TEST(AddSums, CostsEndAtTheLargestNumber) {
+  std::vector<std::uint32_t> sums(FILM_WORDS), more(FILM_WORDS);
+  sums[FILM_NODES] = 0xfffffff0u;
+  more[FILM_NODES] = 0x10u;
+  add_sums(sums, more);
+  EXPECT_EQ(sums[FILM_NODES], 0xffffffffu);
+}
+
 TEST(AddSums, CountsAddUpAndTheFirstNonFiniteSampleStays) {
   std::vector<std::uint32_t> sums(FILM_WORDS, 3), more(FILM_WORDS, 4);
   add_sums(sums, more);

@@ -54,19 +54,25 @@ TEST(Specialize, a_form_that_is_asked_for_is_taken) {
   EXPECT_EQ(choose_scene_loads({}, TraversalForm::texels_shifted), SceneLoads::texels);
 }
 
-TEST(Specialize, texel_forms_are_refused_where_lanes_cannot_vote) {
+TEST(Specialize, texel_forms_are_refused_where_lanes_cannot_vote_or_texel_buffers_are_few) {
   DeviceDescription device;
   device.name = "a small one";
   require_loads(device, SceneLoads::storage);
-  try {
-    require_loads(device, SceneLoads::texels);
-    FAIL();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::refused);
-    EXPECT_NE(std::string(error.what()).find("a small one: no ballots"), std::string::npos) << error.what();
-  }
+  const auto refusal = [&]() -> std::string {
+    try {
+      require_loads(device, SceneLoads::texels);
+      return "";
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::refused);
+      return error.what();
+    }
+  };
+  device.max_storage_texel_buffers = 9;
+  EXPECT_NE(refusal().find("a small one: no ballots"), std::string::npos) << refusal();
   device.subgroup_ballot = true;
-  require_loads(device, SceneLoads::texels);
+  EXPECT_EQ(refusal(), "");
+  device.max_storage_texel_buffers = 8;
+  EXPECT_NE(refusal().find("a small one: 8 storage texel buffers"), std::string::npos) << refusal();
 }
 
 TEST(Specialize, ray_queries_are_refused_where_the_driver_has_none) {

@@ -51,6 +51,25 @@ TEST(TileSchedule, an_empty_area_has_no_tiles) {
   EXPECT_TRUE(schedule_tiles({0, 0, 5, 0}, {8, 8}, 8).empty());
 }
 
+TEST(FittingTile, is_halved_until_samples_and_groups_fit) {
+  EXPECT_EQ(fitting_tile({256, 256}, 16), glm::ivec2(256, 256));
+  // 2^22 jobs of 16 bytes would fill the buffer, but take 65536 groups.
+  EXPECT_EQ(fitting_tile({2048, 2048}, 16), glm::ivec2(2048, 1024));
+  EXPECT_EQ(fitting_tile({65536, 32}, 16), glm::ivec2(65536, 32));
+  EXPECT_EQ(fitting_tile({65536, 64}, 32), glm::ivec2(32768, 64));
+  for (const glm::ivec2 tile : {glm::ivec2(2048, 2048), glm::ivec2(4096, 1024), glm::ivec2(65536, 65536)}) {
+    const glm::ivec2 fitting = fitting_tile(tile, 32);
+    EXPECT_LE(jobs_per_sample(fitting) * 32, kMostPassBytes);
+    EXPECT_LE((jobs_per_sample(fitting) + 63) / 64, 65535u);
+  }
+}
+
+TEST(ListedSamples, fill_the_buffer_but_not_the_loop) {
+  EXPECT_EQ(listed_samples(1000, 10), 100u);
+  EXPECT_EQ(listed_samples(10, 1000), 1u);
+  EXPECT_EQ(listed_samples(std::uint64_t{1} << 22, 8), 1u << 15);
+}
+
 TEST(SamplePasses, follow_one_another_and_grow_to_sixteen) {
   for (const auto& [begin, end] :
        std::vector<std::pair<std::uint32_t, std::uint32_t>>{{0, 1}, {0, 100}, {7, 9}, {5, 1000}}) {

@@ -108,6 +108,14 @@ TEST(GltfNodes, go_down_a_hundred_thousand_levels) {
   expect_near(placed(scene.instances[0], {0, 0, 0}), {kDepth - 1, 0, 0});
 }
 
+TEST(GltfNodes, instances_that_the_file_has_no_bytes_for_are_few) {
+  GltfFile file;
+  add_triangle(file);
+  const int ids = file.add("accessors", {{"componentType", kUnsignedByte}, {"type", "SCALAR"}, {"count", 1 << 21}});
+  file.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"]["attributes"] = {{"_ID", ids}};
+  expect_refused(file, "accessors without bufferView ask for more than 268435456 bytes");
+}
+
 TEST(GltfNodes, instance_by_the_gpu_instancing_extension) {
   GltfFile file;
   add_triangle(file);

@@ -84,6 +84,19 @@ TEST(LoadObjGeometry, NonFiniteVerticesDropTheirTrianglesOnly) {
   EXPECT_NE(scene.warnings[0].find("mesh 0, triangle 1 and 2 more"), std::string::npos);
 }
 
+TEST(LoadObjGeometry, CommentsMayTouchANumber) {
+  const Scene scene = load("v 0 0 0#one\nv 1 0 0# two 3 4\nv 0 1 0.#\nf 1 2 3\n");
+  ASSERT_EQ(scene.meshes[0].triangles.size(), 1u);
+  EXPECT_NE(scene.meshes[0].triangles[0], glm::uvec3(0));
+  EXPECT_TRUE(scene.warnings.empty());
+}
+
+TEST(LoadObjGeometry, AWeightBeforeAColourIsNoRed) {
+  const Scene weighted = load("v 0 0 0 1 1 0 0.5\nv 1 0 0 1 1 1 1\nv 0 1 0 1 0 0 0\nf 1 2 3\n");
+  const Scene plain = load("v 0 0 0 1 0 0.5\nv 1 0 0 1 1 1\nv 0 1 0 0 0 0\nf 1 2 3\n");
+  EXPECT_EQ(weighted.meshes[0].colors, plain.meshes[0].colors);
+}
+
 TEST(LoadObjGeometry, PolygonsOfMoreThan255Corners) {
   std::string text;
   std::string face = "f";

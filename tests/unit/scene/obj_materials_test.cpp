@@ -146,6 +146,25 @@ TEST(ObjMaterials, MissingLibraryMaterialAndTextureAreWarnings) {
   EXPECT_NE(scene.warnings[2].find("'b'"), std::string::npos);
 }
 
+TEST(ObjMaterials, ABrokenLibraryIsAWarningAndAnErrorInStrict) {
+  const TemporaryFolder folder;
+  folder.write("a.mtl", std::string("newmtl a\0", 9));
+  const std::string path = folder.write("m.obj", "mtllib a.mtl\nusemtl a\n" + kFace);
+  const Scene scene = load_scene(path, {});
+  ASSERT_EQ(scene.warnings.size(), 2u);
+  EXPECT_NE(scene.warnings[0].find("a.mtl: not a text file"), std::string::npos) << scene.warnings[0];
+  EXPECT_THROW(load_scene(path, {.strict = true}), Error);
+}
+
+TEST(ObjMaterials, TheFirstOfTwoMaterialsOfAName) {
+  const TemporaryFolder folder;
+  folder.write("a.mtl", "newmtl a\nKd 1 0 0\nnewmtl a\nKd 0 1 0\n");
+  const Scene scene = load_scene(folder.write("m.obj", "mtllib a.mtl\nusemtl a\n" + kFace), {});
+  EXPECT_EQ(scene.materials[scene.meshes[0].triangle_materials[0]].base_color.r, 1.0f);
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_NE(scene.warnings[0].find("material 'a' was there before"), std::string::npos) << scene.warnings[0];
+}
+
 TEST(ObjMaterials, NamesInAnotherCaseInQuotesOrBeforeCommentsAreFound) {
   const TemporaryFolder folder;
   folder.write("Library.MTL",

@@ -129,7 +129,7 @@ nlohmann::json measure(Arguments arguments) {
   const RaySets rays = make_rays(arguments.view, [&](const RatedRay& ray) { return embree.closest_hit(ray); });
   VernierTracer vernier(device, mesh, rays);
   std::optional<RayQueryTracer> queries;
-  if (device.description().ray_query && RayQueryDevice::is_offered(device)) queries.emplace(device, mesh, rays);
+  if (device.description().ray_query) queries.emplace(device, mesh, rays);
   const auto of_embree = [&rays](const std::string& name, const EmbreeTracer& tracer) -> Tracer {
     return {name, [&](RayKind kind) { return tracer.trace(rays[kind]); },
             [&](RayKind kind) { return tracer.answers(rays[kind]); }};

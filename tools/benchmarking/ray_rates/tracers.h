@@ -78,6 +78,12 @@ class VernierTracer {
   Submitter submitter_;
 };
 
+/// The use of buffers of rays and of answers on `device`.
+BufferUse texel_use(const Device& device);
+
+/// How long `dispatch` takes.
+PassTime timed_pass(Submitter& submitter, const Dispatch& dispatch);
+
 /// `answers` to `rays` as EmbreeTracer::answers has them. Throws Error for a search that was cut off.
 std::vector<std::uint32_t> comparable(const std::vector<RatedAnswer>& answers, const std::vector<RatedRay>& rays);
 

@@ -5,20 +5,23 @@
 #include "error.h"
 #include "render/trace_pipeline.h"
 #include "shared/bindings.h"
-#include "shared/specialization_ids.h"
 #include "spirv/searches_storage.h"
 #include "spirv/searches_texels.h"
 #include "tracers.h"
 
 namespace vernier {
-namespace {
 
 BufferUse texel_use(const Device& device) {
   return choose_scene_loads(device.description()) == SceneLoads::texels ? BufferUse::texels_rgba32ui
                                                                         : BufferUse::storage;
 }
 
-}  // namespace
+PassTime timed_pass(Submitter& submitter, const Dispatch& dispatch) {
+  const std::clock_t cpu_start = std::clock();
+  constexpr double kSecondsPerMs = 1e-3;
+  const double seconds = submitter.run({&dispatch, 1}).device_ms * kSecondsPerMs;
+  return {seconds, static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC};
+}
 
 std::vector<std::uint32_t> comparable(const std::vector<RatedAnswer>& answers, const std::vector<RatedRay>& rays) {
   std::vector<std::uint32_t> found(answers.size());
@@ -60,24 +63,14 @@ std::vector<Binding> VernierTracer::bindings_with(const Buffer& rays) const {
 }
 
 ComputePipeline VernierTracer::make_pipeline(bool count_cost, const Buffer& rays) const {
-  const TraceSpecialization form = specialize(0, scene_.shape(), 0, count_cost, device_->description());
-  const std::vector<SpecializationValue> values{{SPECIALIZATION_EFFECTS, form.effects},
-                                                {SPECIALIZATION_TRAVERSAL_STACK, form.traversal_stack},
-                                                {SPECIALIZATION_SHIFT_STACK, form.shift_stack ? 1u : 0u},
-                                                {SPECIALIZATION_COARSE, form.coarse ? 1u : 0u},
-                                                {SPECIALIZATION_TEST_LAST, form.test_last ? 1u : 0u},
-                                                {SPECIALIZATION_COUNT_COST, form.count_cost ? 1u : 0u},
-                                                {SPECIALIZATION_LEVELS, form.levels}};
+  const std::vector<SpecializationValue> values =
+      specialization_values(specialize(0, scene_.shape(), 0, count_cost, device_->description()));
   const bool texels = texel_use(*device_) == BufferUse::texels_rgba32ui;
   return {*device_, texels ? kSearchesTexelsSpirv : kSearchesStorageSpirv, bindings_with(rays), 0, values};
 }
 
 PassTime VernierTracer::trace(RayKind kind) {
-  const Dispatch dispatch{&timed_, &sets_[kind].timed, {}, kRayCount / RATED_GROUP};
-  const std::clock_t cpu_start = std::clock();
-  constexpr double kSecondsPerMs = 1e-3;
-  const double seconds = submitter_.run({&dispatch, 1}).device_ms * kSecondsPerMs;
-  return {seconds, static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC};
+  return timed_pass(submitter_, {&timed_, &sets_[kind].timed, {}, kRayCount / RATED_GROUP});
 }
 
 std::vector<RatedAnswer> VernierTracer::run(const ComputePipeline& pipeline, const BindingSet& set) {

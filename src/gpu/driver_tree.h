@@ -15,16 +15,18 @@ struct DeviceBox {
   glm::vec3 lo, hi;
 };
 
-/// The driver's own tree over boxes (VK_KHR_acceleration_structure), for ray queries: box i has the primitive index i.
+/// The driver's own tree (VK_KHR_acceleration_structure), for ray queries: box or triangle i has the primitive index i.
 /// Owns its memory; movable.
-class BoxTree {
+class DriverTree {
  public:
-  BoxTree() = default;
+  DriverTree() = default;
   /// Has the driver of `device`, whose description says ray_query, build it over `boxes`, whose coordinates are finite
   /// with lo <= hi. Throws Error(refused) where the driver or its memory takes less.
-  BoxTree(const Device& device, std::span<const DeviceBox> boxes);
+  DriverTree(const Device& device, std::span<const DeviceBox> boxes);
+  /// The same over opaque triangles, whose corners are numbers of positions, to be met by the driver's own test.
+  DriverTree(const Device& device, std::span<const glm::vec3> positions, std::span<const glm::uvec3> corners);
 
-  /// What queries are asked of: one instance, in place, of the tree over the boxes.
+  /// What queries are asked of: one instance, in place, of the tree over all.
   const vk::raii::AccelerationStructureKHR& vk() const { return top_.built; }
   /// Memory that stays.
   std::uint64_t size_bytes() const { return bottom_.memory.size_bytes() + top_.memory.size_bytes(); }
@@ -36,6 +38,7 @@ class BoxTree {
   };
   static Structure build(const Device& device, vk::AccelerationStructureTypeKHR type,
                          const vk::AccelerationStructureGeometryKHR& geometry, std::uint32_t count);
+  void build_both(const Device& device, const vk::AccelerationStructureGeometryKHR& geometry, std::size_t count);
 
   Structure bottom_, top_;
 };
