@@ -26,33 +26,22 @@ std::string default_image_path(const std::string& scene) {
 }
 
 void check_text_output(const std::string& path) {
-  if (path.empty()) {
-    return;
-  }
+  if (path.empty() || path == "/dev/stdout") return;  // printed, see write_text
+  const fs::path target = written_file(path);
   std::error_code failure;
-  const fs::path folder = fs::path(path).parent_path();
-  const std::string place = folder.empty() ? "." : folder.string();
+  const std::string place = target.has_parent_path() ? target.parent_path().string() : ".";
   if (!fs::is_directory(place, failure)) {
     throw Error(ErrorKind::failed, path + ": there is no folder " + place);
   }
-  if (fs::is_directory(path, failure)) {
+  if (fs::is_directory(target, failure)) {
     throw Error(ErrorKind::failed, path + ": is a folder");
   }
-  const fs::file_status status = fs::status(path, failure);
-  const bool is_new = failure == std::errc::no_such_file_or_directory;
-  if (failure && !is_new) throw Error(ErrorKind::failed, path + ": " + failure.message());
-  if (is_new && fs::is_symlink(path, failure) &&
-      !fs::is_directory(fs::weakly_canonical(path, failure).parent_path(), failure)) {
-    throw Error(ErrorKind::failed, path + ": the folder that the link leads to is not there");
-  }
-  if (fs::is_regular_file(status) && access(path.c_str(), W_OK) != 0) {
-    throw Error(ErrorKind::failed, path + ": may not be written");
-  }
+  const bool is_there = fs::exists(target, failure);
   // A new file is written beside it and then renamed.
-  const bool replaced = !fs::exists(path, failure) || fs::is_regular_file(path, failure);
-  if (replaced && access(place.c_str(), W_OK) != 0) {
+  if ((!is_there || fs::is_regular_file(target, failure)) && access(place.c_str(), W_OK) != 0) {
     throw Error(ErrorKind::failed, path + ": the folder " + place + " may not be written");
   }
+  if (is_there && access(target.c_str(), W_OK) != 0) throw Error(ErrorKind::failed, path + ": may not be written");
 }
 
 void check_image_size(const std::string& path, int width, int height) {

@@ -1,7 +1,6 @@
 #include "cli/run_command_line.h"
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <iostream>
@@ -31,19 +30,16 @@ void check_values(const CLI::App& command) {
   }
 }
 
-/// What CLI11 says of an option that is given twice, and of arguments that nobody takes, in the order they came.
-std::string usage_text(const CLI::App& app, const CLI::ParseError& error, int argc, char** argv) {
+/// What CLI11 says, but for an option that is given twice, and for arguments that nobody takes, which it has backwards.
+std::string usage_text(const CLI::App& app, const CLI::ParseError& error) {
   const std::string text = error.what();
   if (const std::size_t twice = text.find(": At Most 1 required but received "); twice != std::string::npos) {
     return text.substr(0, twice) + ": given more than once";
   }
   if (dynamic_cast<const CLI::ExtrasError*>(&error) == nullptr) return text;
-  const std::vector<std::string> left = app.remaining(true);
   std::string names;
-  for (int i = 1; i < argc; ++i) {
-    if (std::ranges::find(left, argv[i]) != left.end()) names += std::string(names.empty() ? "" : " ") + argv[i];
-  }
-  return "not expected: " + (names.empty() ? text : names);
+  for (const std::string& one : app.remaining(true)) names += " " + one;
+  return "not expected:" + names;
 }
 
 }  // namespace
@@ -64,8 +60,7 @@ int run_command_line(CLI::App& app, const Command& chosen, int argc, char** argv
     const std::vector<CLI::App*> command = app.get_subcommands();
     const std::string name = command.empty() ? "vernier" : "vernier " + command.front()->get_name();
     const bool is_unknown = command.empty() && argc > 1 && argv[1][0] != '-';
-    const std::string what =
-        is_unknown ? "there is no command `" + std::string(argv[1]) + "`" : usage_text(app, error, argc, argv);
+    const std::string what = is_unknown ? "there is no command `" + std::string(argv[1]) + "`" : usage_text(app, error);
     return say(ErrorKind::usage, what + "; see " + name + " --help");
   } catch (const Error& error) {
     return say(error.kind(), error.what());

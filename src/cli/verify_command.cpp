@@ -114,7 +114,9 @@ bool run_suite(const VerifyArguments& arguments, const CaseSetup& setup, const D
   for (const VerifyCase* one : cases) {
     if (interrupted()) break;
     narrator.begin();
-    reports.push_back(run_case(*one, setup));
+    CaseReport report = run_case(*one, setup);
+    if (interrupted() && report.result.samples == 0) break;
+    reports.push_back(std::move(report));
     narrator.say(case_line(reports.back()));
     if (!reports.back().held) narrator.say(failure_text(reports.back(), setup, again));
     held = held && reports.back().held;
@@ -139,7 +141,9 @@ bool run_mutations(const VerifyArguments& arguments, const CaseSetup& setup, con
   for (const Mutation& fault : faults) {
     if (interrupted()) break;
     narrator.begin();
-    reports.push_back(run_mutation(fault, setup));
+    std::vector<CaseReport> seeded = run_mutation(fault, setup);
+    if (interrupted()) break;  // cases that were cut short say nothing
+    reports.push_back(std::move(seeded));
     narrator.say(mutation_line(fault, reports.back()));
     caught = caught && is_caught(reports.back());
   }

@@ -80,7 +80,8 @@ bool loses_rows(const OIIO::ImageInput& input, const std::string& fault) {
 template <typename T, typename StoreTexel>
 void read_bands(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const TexelLayout& layout,
                 const std::string& name, StoreTexel store) {
-  const auto channels = std::size_t(layout.channel_count());
+  const auto channels = std::size_t(layout.channel_count);
+  const int end_channel = layout.first_channel + layout.channel_count;
   const auto type = OIIO::BaseTypeFromC<T>::value;
   const int band_rows =
       spec.tile_width > 0 ? std::clamp(spec.tile_height, 1, spec.height) : std::min(kBandRows, spec.height);
@@ -90,10 +91,11 @@ void read_bands(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const Texe
     refuse(name, "the image cannot be read: " + one_line(fault));
   for (int row = 0; row < spec.height; row += band_rows) {
     const int end = std::min(row + band_rows, spec.height);
-    const bool ok = spec.tile_width > 0 ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + row,
-                                                           spec.y + end, 0, 1, 0, int(channels), type, band.data())
-                                        : input.read_scanlines(0, 0, spec.y + row, spec.y + end, 0, 0, int(channels),
-                                                               type, band.data());
+    const bool ok = spec.tile_width > 0
+                        ? input.read_tiles(0, 0, spec.x, spec.x + spec.width, spec.y + row, spec.y + end, 0, 1,
+                                           layout.first_channel, end_channel, type, band.data())
+                        : input.read_scanlines(0, 0, spec.y + row, spec.y + end, 0, layout.first_channel, end_channel,
+                                               type, band.data());
     const std::string fault = input.geterror();
     if (!ok || loses_rows(input, fault)) refuse(name, "the image cannot be read: " + one_line(fault));
     const T* values = band.data();
@@ -148,7 +150,7 @@ void read_floats(OIIO::ImageInput& input, const OIIO::ImageSpec& spec, const Tex
 }
 
 std::uint32_t byte_format(TexelEncoding encoding) {
-  return encoding == TexelEncoding::srgb ? TEXTURE_FORMAT_SRGB8 : TEXTURE_FORMAT_LINEAR8;
+  return encoding == TexelEncoding::linear ? TEXTURE_FORMAT_LINEAR8 : TEXTURE_FORMAT_SRGB8;
 }
 
 void decode_webp(std::span<const std::byte> encoded, const glm::ivec2& size, const std::string& name,
@@ -190,7 +192,8 @@ void decode(std::span<const std::byte> encoded, const std::string& format, const
   const std::unique_ptr<OIIO::ImageInput> input = open_image(memory, format, name, spec);
   check_spec(spec, name);
   check_length(spec, encoded.size(), format, name);
-  const TexelLayout layout = texel_layout(spec, format, encoded, name);
+  TexelLayout layout = texel_layout(spec, format, encoded, name);
+  layout.divides_by_alpha &= encoding == TexelEncoding::srgb;
   check_size(layout.width, layout.height, name);
 
   texels.width = std::uint32_t(layout.width);
@@ -202,7 +205,7 @@ void decode(std::span<const std::byte> encoded, const std::string& format, const
     texels.format = byte_format(encoding);
     read_bytes(*input, spec, layout, name, texels);
   } else {
-    read_floats(*input, spec, layout, name, !is_float && encoding == TexelEncoding::srgb, texels);
+    read_floats(*input, spec, layout, name, !is_float && encoding != TexelEncoding::linear, texels);
   }
 }
 

@@ -1,6 +1,8 @@
 #include "codecs/texel_layout.h"
 
 #include <algorithm>
+#include <cctype>
+#include <cstdint>
 
 #include "error.h"
 
@@ -22,28 +24,75 @@ bool bmp_has_alpha(std::span<const std::byte> encoded) {
          word_at(encoded, kAlphaMask) != 0;
 }
 
-int channel_of(const OIIO::ImageSpec& spec, const char* name) {
-  const auto found = std::ranges::find(spec.channelnames, name);
+/// Whether `name` is the channel `letter` of the layer `prefix` (empty, or with a point at its end).
+bool is_channel(const std::string& name, const std::string& prefix, char letter) {
+  return name.size() == prefix.size() + 1 && name.starts_with(prefix) &&
+         std::toupper(static_cast<unsigned char>(name.back())) == letter;
+}
+
+int channel_of(const OIIO::ImageSpec& spec, const std::string& prefix, char letter) {
+  const auto found = std::ranges::find_if(spec.channelnames,
+                                          [&](const std::string& name) { return is_channel(name, prefix, letter); });
   return found == spec.channelnames.end() ? -1 : static_cast<int>(found - spec.channelnames.begin());
 }
 
-/// Colours by their names where the format names them, else the first three, or one that is grey.
-std::array<int, 4> channels_of(const OIIO::ImageSpec& spec, int alpha, bool named) {
-  const int red = channel_of(spec, "R"), green = channel_of(spec, "G"), blue = channel_of(spec, "B");
-  if (named && red >= 0) return {red, green, blue, alpha};
-  const int colors = spec.nchannels - (alpha >= 0 ? 1 : 0);
-  if (colors >= 3) return {0, 1, 2, alpha};
-  const int grey = alpha == 0 && spec.nchannels > 1 ? 1 : 0;
-  return {grey, grey, grey, alpha};
+/// The layer of the first channel `letter`: empty or with a point at its end.
+std::optional<std::string> layer_of(const OIIO::ImageSpec& spec, char letter) {
+  for (const std::string& name : spec.channelnames) {
+    const std::string prefix = name.substr(0, name.find_last_of('.') + 1);
+    if (is_channel(name, prefix, letter)) return prefix;
+  }
+  return std::nullopt;
 }
 
-/// Of EXR, whose pixels may be a part of the picture, or more than it.
-void place_in_display_window(const OIIO::ImageSpec& spec, TexelLayout& layout) {
-  if (spec.full_width < 1 || spec.full_height < 1) return;
+/// By their names, as EXR has them: colours of one layer, with its alpha; one alone is grey.
+std::optional<std::array<int, 4>> named_channels(const OIIO::ImageSpec& spec) {
+  if (const std::optional<std::string> layer = layer_of(spec, 'R')) {
+    const int red = channel_of(spec, *layer, 'R'), green = channel_of(spec, *layer, 'G');
+    const int blue = channel_of(spec, *layer, 'B'), alpha = channel_of(spec, *layer, 'A');
+    if (green < 0 && blue < 0) return std::array{red, red, red, alpha};
+    return std::array{red, green, blue, alpha};
+  }
+  if (const std::optional<std::string> layer = layer_of(spec, 'Y')) {
+    const int grey = channel_of(spec, *layer, 'Y');
+    return std::array{grey, grey, grey, channel_of(spec, *layer, 'A')};
+  }
+  return std::nullopt;
+}
+
+/// The first three channels that are not `alpha` (-1: none), or the first as grey.
+std::array<int, 4> counted_channels(int count, int alpha) {
+  const int grey = alpha == 0 && count > 1 ? 1 : 0;
+  if (count - (alpha >= 0 ? 1 : 0) < 3) return {grey, grey, grey, alpha};
+  return {0, 1, 2, alpha > 2 ? alpha : -1};
+}
+
+/// Reads no more channels than are asked for.
+void set_channels(const std::array<int, 4>& channels, TexelLayout& layout) {
+  layout.first_channel = *std::ranges::max_element(channels);
+  for (const int channel : channels) {
+    if (channel >= 0) layout.first_channel = std::min(layout.first_channel, channel);
+  }
+  layout.channel_count = *std::ranges::max_element(channels) - layout.first_channel + 1;
+  layout.channels = channels;
+  for (int& channel : layout.channels) channel = channel < 0 ? -1 : channel - layout.first_channel;
+}
+
+/// Of EXR, whose pixels may be a part of the picture, or more than it. A window that shows none of them says nothing.
+void place_in_display_window(const OIIO::ImageSpec& spec, const std::string& name, TexelLayout& layout) {
+  constexpr std::int64_t kLargeWindow = std::int64_t{1} << 22, kMostTimes = 16;
+  const int left = spec.x - spec.full_x, top = spec.y - spec.full_y;
+  const bool shows_some =
+      left < spec.full_width && top < spec.full_height && left + spec.width > 0 && top + spec.height > 0;
+  if (!shows_some) return;
+  const std::int64_t window = std::int64_t{spec.full_width} * spec.full_height;
+  if (window > kLargeWindow && window / kMostTimes > std::int64_t{spec.width} * spec.height) {
+    refuse(name, "its display window is " + std::to_string(kMostTimes) + " times as large as what it holds");
+  }
   layout.width = spec.full_width;
   layout.height = spec.full_height;
-  layout.left = spec.x - spec.full_x;
-  layout.top = spec.y - spec.full_y;
+  layout.left = left;
+  layout.top = top;
 }
 
 /// Of Radiance HDR, whose first line says where rows and columns begin: as EXIF's orientation. (EXIF's own does not
@@ -58,10 +107,6 @@ void orient(const OIIO::ImageSpec& spec, const std::string& name, TexelLayout& l
 
 }  // namespace
 
-int TexelLayout::channel_count() const {
-  return std::ranges::max(channels) + 1;
-}
-
 std::optional<std::size_t> TexelLayout::texel_of(int x, int y) const {
   const int column = flips_x ? width - 1 - (x + left) : x + left;
   const int row = flips_y ? height - 1 - (y + top) : y + top;
@@ -73,16 +118,22 @@ TexelLayout texel_layout(const OIIO::ImageSpec& spec, const std::string& format,
                          const std::string& name) {
   const bool is_exr = format == "exr";
   const bool is_tiff = format == "tif";
-  const bool has_alpha = spec.alpha_channel >= 0 && (format != "bmp" || bmp_has_alpha(encoded));
+  int alpha = format == "bmp" && !bmp_has_alpha(encoded) ? -1 : spec.alpha_channel;
+  const bool is_alpha_named = alpha >= 0;
+  // Photoshop leaves the kind of a TIFF's last sample open: who makes a cut-out so means alpha.
+  if (is_tiff && alpha < 0 && (spec.nchannels == 2 || spec.nchannels == 4)) alpha = spec.nchannels - 1;
   TexelLayout layout;
   layout.width = spec.width;
   layout.height = spec.height;
-  layout.channels = channels_of(spec, has_alpha ? spec.alpha_channel : -1, is_exr);
-  layout.divides_by_alpha = has_alpha && (is_exr || (is_tiff && !spec.get_int_attribute("oiio:UnassociatedAlpha")));
+  const std::optional<std::array<int, 4>> named = is_exr ? named_channels(spec) : std::nullopt;
+  const std::array<int, 4> channels = named.value_or(counted_channels(spec.nchannels, is_exr ? -1 : alpha));
+  set_channels(channels, layout);
+  const bool is_associated_tiff = is_tiff && is_alpha_named && !spec.get_int_attribute("oiio:UnassociatedAlpha");
+  layout.divides_by_alpha = channels[3] >= 0 && (is_exr || is_associated_tiff);
   // OpenImageIO turns those of up to 8 bits round by itself.
   layout.is_negative =
       is_tiff && spec.get_int_attribute("tiff:PhotometricInterpretation", 1) == 0 && spec.format.size() > 1;
-  if (is_exr) place_in_display_window(spec, layout);
+  if (is_exr) place_in_display_window(spec, name, layout);
   if (format == "hdr") orient(spec, name, layout);
   return layout;
 }

@@ -22,20 +22,6 @@ std::string reason_of(int error_number) {
   return std::generic_category().message(error_number);
 }
 
-// The file behind a chain of symbolic links, which may not exist yet.
-fs::path follow_links(const std::string& path) {
-  constexpr int kMostLinks = 40;  // Linux gives up after as many
-  fs::path file = path;
-  std::error_code error;
-  for (int link = 0; fs::is_symlink(fs::symlink_status(file, error)); ++link) {
-    if (link == kMostLinks) fail(path, reason_of(ELOOP));
-    const fs::path next = fs::read_symlink(file, error);
-    if (error) fail(path, error.message());
-    file = file.parent_path() / next;  // an absolute `next` replaces all
-  }
-  return file;
-}
-
 // The name is short and its own, so that a long `target` leaves room for it; "x" never opens a file of another writer.
 fs::path create_beside(const fs::path& target, const std::string& path) {
   constexpr int kMostAttempts = 10000;
@@ -67,13 +53,27 @@ void write_and_rename(const fs::path& target, const std::string& path,
 
 }  // namespace
 
+fs::path written_file(const std::string& path) {
+  constexpr int kMostLinks = 40;  // Linux gives up after as many
+  fs::path file = path;
+  std::error_code error;
+  // Of a pipe the link in /dev/fd says no place that could be followed.
+  if (fs::is_fifo(fs::status(file, error))) return file;
+  for (int link = 0; fs::is_symlink(fs::symlink_status(file, error)); ++link) {
+    if (link == kMostLinks) fail(path, reason_of(ELOOP));
+    const fs::path next = fs::read_symlink(file, error);
+    if (error) fail(path, error.message());
+    file = file.parent_path() / next;  // an absolute `next` replaces all
+  }
+  return file;
+}
+
 void write_whole(const std::string& path, const std::function<void(const std::string& file)>& write) {
   if (path.empty()) fail("\"\"", "the file name is empty");
   try {
+    const fs::path target = written_file(path);
     std::error_code error;
-    const fs::file_status status = fs::status(path, error);
-    // Of a pipe the link in /dev/fd says no place that could be followed.
-    const fs::path target = fs::is_fifo(status) ? fs::path(path) : follow_links(path);
+    const fs::file_status status = fs::status(target, error);
     if (fs::is_directory(status)) fail(path, "it is a folder");
     // A rename would replace a write-protected file, since that only asks the folder.
     if (fs::exists(status) && ::access(target.c_str(), W_OK) != 0) fail(path, reason_of(errno));

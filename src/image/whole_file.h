@@ -1,10 +1,15 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
 
 namespace vernier {
+
+/// The file that write_whole(path) makes or replaces: what a chain of symbolic links leads to, whether it is there or
+/// not. Throws Error(failed) where links lead in a circle.
+std::filesystem::path written_file(const std::string& path);
 
 /// Writes the file `path` whole or not at all: `write` gets the name of a new empty file in the same folder, which
 /// replaces `path` by a rename once `write` has returned. Where anything throws, that file is removed, an existing

@@ -60,8 +60,9 @@ std::uint32_t invocation_count(const DeviceDescription& device, std::uint32_t pa
 }  // namespace
 
 std::uint64_t tracing_bytes(const RenderSettings& settings, const DeviceDescription& device) {
-  const std::uint32_t full_stack = waiting_rays(~0u, settings.max_bounces);
-  return path_bytes(invocation_count(device, full_stack), full_stack) + kMostPassBytes;
+  const std::uint64_t sample_bytes = bytes_per_sample(wants_aov(settings, "cost"));
+  const glm::ivec2 tile = chosen_tile(settings, tile_side(device.is_cpu), image_area(settings), sample_bytes);
+  return path_bytes(invocation_count(device, 0), 0) + pass_bytes(settings, tile, sample_bytes);
 }
 
 TileTracer::TileTracer(const Device& device, const GpuScene& scene, SceneLoads loads,

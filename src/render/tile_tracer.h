@@ -16,7 +16,7 @@
 
 namespace vernier {
 
-/// Bytes of the device for paths and samples, an upper bound, whatever the effects.
+/// Bytes of the device for samples and paths, without the stack of waiting rays, which hangs on the effects.
 std::uint64_t tracing_bytes(const RenderSettings& settings, const DeviceDescription& device);
 
 /// Pipelines and buffers of the trace and the accumulate kernel, and what they have counted so far. Takes passes of

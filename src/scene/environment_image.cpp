@@ -11,7 +11,7 @@ namespace vernier {
 namespace {
 
 std::shared_ptr<const Texels> decode_as_float(const std::string& path) {
-  const std::shared_ptr<const Texels> texels = decode_texels_from_file(path, TexelEncoding::srgb);
+  const std::shared_ptr<const Texels> texels = decode_texels_from_file(path, TexelEncoding::radiance);
   if (texels->format == TEXTURE_FORMAT_FLOAT) return texels;
   Texels result{TEXTURE_FORMAT_FLOAT, texels->width, texels->height, {}};
   const std::size_t count = std::size_t{texels->width} * texels->height;

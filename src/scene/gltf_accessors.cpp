@@ -190,6 +190,9 @@ std::vector<std::byte> read_gltf_elements(const GltfDocument& document, int inde
   const tinygltf::Accessor& accessor = accessor_at(document, index);
   const std::string place = accessor_place(asker, index);
   const std::uint64_t element = element_bytes(accessor);
+  if (element == 0) {
+    refuse_gltf(document, place, "component type " + std::to_string(accessor.componentType) + " does not exist");
+  }
   const std::uint64_t limit = accessor.bufferView >= 0 ? kMaxGltfBytes : kMaxZeroBytes;
   if (accessor.count > limit / element) {
     refuse_gltf(document, place,

@@ -17,7 +17,7 @@ std::size_t gltf_component_bytes(int component_type);
 std::size_t gltf_component_count(int type);
 
 // All readers take an accessor that check_gltf_references has passed, apply its sparse values, read zeros where it has
-// no bufferView (at most 2^26 bytes of them, 2^28 in a file), and throw Error(refused) "file: place: accessor N: ..."
+// no bufferView (at most 2^26 bytes of them, 2^28 in all), and throw Error(refused) "file: place: accessor N: ..."
 // for another element type, bytes beyond the bufferView, a sparse index out of range or more than kMaxGltfBytes.
 
 /// Counts `bytes` that a file without the bytes for them makes us take, and throws Error(refused) beyond 2^28 in all.

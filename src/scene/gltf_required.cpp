@@ -52,7 +52,11 @@ constexpr Required kRequired[] = {
     {"values", "bufferView"},
 };
 
-constexpr int kComponentTypes[] = {5120, 5121, 5122, 5123, 5125, 5126};
+/// Those of OpenGL, which the parser knows; that glTF has no int and no double is said where they are read.
+constexpr int kComponentTypes[] = {5120, 5121, 5122, 5123, 5124, 5125, 5126, 5130};
+/// Members of the file that are looked into.
+constexpr std::string_view kLists[] = {"accessors", "bufferViews", "cameras", "extensions", "materials",
+                                       "meshes",    "nodes",       "skins",   "textures"};
 constexpr std::string_view kElementTypes[] = {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT2", "MAT3", "MAT4"};
 constexpr std::string_view kCameraTypes[] = {"perspective", "orthographic"};
 
@@ -64,7 +68,8 @@ class RequiredCheck {
   void check(const json& value, const std::string& owner, const std::string& place) const {
     if (value.is_array()) {
       for (std::size_t i = 0; i < value.size(); ++i) {
-        check(value[i], owner, place.empty() ? gltf_element_name(owner, i) : place);
+        const std::string element = gltf_element_name(owner, i);
+        check(value[i], owner, place.empty() ? element : owner == "primitives" ? place + ", " + element : place);
       }
       return;
     }
@@ -74,7 +79,7 @@ class RequiredCheck {
     }
     check_values(value, owner, place);
     for (const auto& [name, member] : value.items()) {
-      if (name == "animations") continue;
+      if (owner.empty() && std::ranges::find(kLists, name) == std::end(kLists)) continue;
       if (name != "extensions") {
         check(member, name, place);
         continue;

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstdint>
 #include <limits>
-#include <optional>
 #include <string_view>
 
 #include "error.h"
@@ -127,7 +126,6 @@ constexpr Member kMembers[] = {
     {"*", "zfar", Type::number},
     {"*", "znear", Type::number},
     {"accessors", "normalized", Type::truth},
-    {"materials", "doubleSided", Type::truth},
     {"KHR_node_visibility", "visible", Type::truth},
     {"accessors", "type", Type::text},
     {"cameras", "type", Type::text},
@@ -163,9 +161,9 @@ constexpr std::string_view kExtensions[] = {
     "KHR_node_visibility",     "KHR_texture_transform",
 };
 
-/// Whether `list` is one, of `count` elements where that is said, which all are so.
-bool are_all(const json& list, bool (json::*is)() const noexcept, std::optional<std::size_t> count = {}) {
-  return list.is_array() && list.size() == count.value_or(list.size()) &&
+/// Whether `list` is one, of `least` elements or more, which all are so: exporters add a fourth to a colour.
+bool are_all(const json& list, bool (json::*is)() const noexcept, std::size_t least = 0) {
+  return list.is_array() && list.size() >= least &&
          std::ranges::all_of(list, [&](const json& one) { return (one.*is)(); });
 }
 
@@ -218,6 +216,7 @@ void check_type(const json& value, Type type, const std::string& name, const std
 void check_value(const json& value, const std::string& owner, const std::string& place, const std::string& path);
 
 void check_extensions(const json& extensions, const std::string& place, const std::string& path) {
+  if (extensions.is_array() && extensions.empty()) return;  // an empty table of Lua or PHP
   check_type(extensions, Type::object, "extensions", place, path);
   if (!extensions.is_object()) return;  // null
   for (const auto& [name, extension] : extensions.items()) {

@@ -48,16 +48,15 @@ bool is_plain_number(std::string_view word) {
   return i == word.size();
 }
 
-// nan, -inf, -nan(ind), 1.#QNAN and the like.
+// nan, -inf, -nan(ind), 1.#QNAN and the like, which printing to few digits rounds to 1.#QO or 1.#R.
 bool is_non_finite(std::string_view word) {
-  if (const std::size_t mark = word.find(".#"); mark != std::string_view::npos) {
-    const std::string_view what = word.substr(mark + 2);
-    return what.starts_with("IND") || what.starts_with("INF") || what.starts_with("QNAN") || what.starts_with("SNAN");
-  }
   const std::size_t sign = word[0] == '-' || word[0] == '+' ? 1 : 0;
   std::string head(word.substr(sign, 3));
   std::ranges::transform(head, head.begin(), [](char c) { return c >= 'A' && c <= 'Z' ? char(c - 'A' + 'a') : c; });
-  return head == "nan" || head == "inf";
+  constexpr std::string_view kFirstLetters = "IQSJR";
+  const bool is_microsofts =
+      head == "1.#" && word.size() > sign + 3 && kFirstLetters.find(word[sign + 3]) != std::string_view::npos;
+  return head == "nan" || head == "inf" || is_microsofts;
 }
 
 // i, i/j, i//k or i/j/k, with empty parts at the end left out; empty where it is none of them.
@@ -133,10 +132,8 @@ void ObjLineFilter::write(std::string_view text) {
 
 void ObjLineFilter::write_vertex(std::string_view text, std::string_view keyword, std::string_view rest) {
   const std::size_t least = keyword == "vt" ? 1 : 3;
-  constexpr std::size_t kPlaceWeightAndColor = 7;
   out_.append(keyword);
   std::size_t count = 0;
-  std::size_t fourth = 0, fifth = 0;  // where they begin
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest)) {
     bool plain = is_plain_number(word);
     const bool finite = plain || !is_non_finite(word);
@@ -148,13 +145,9 @@ void ObjLineFilter::write_vertex(std::string_view text, std::string_view keyword
       plain = is_plain_number(word);
     }
     if (finite && !plain) refuse(printable(word) + " is not a number");
-    if (count == 3) fourth = out_.size();
-    if (count == 4) fifth = out_.size();
     out_.append(" ").append(plain ? word : kInfinity);
     ++count;
   }
-  // The loader takes the fourth for red.
-  if (keyword == "v" && count == kPlaceWeightAndColor) out_.erase(fourth, fifth - fourth);
   uv_count_ += keyword == "vt" ? 1 : 0;
   normal_count_ += keyword == "vn" ? 1 : 0;
   if (count < least) refuse(printable(text) + " has fewer than " + std::to_string(least) + " numbers");

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <set>
 
 #include "error.h"
@@ -199,6 +200,7 @@ std::map<std::string, std::uint32_t> load_obj_materials(LoadingScene& loading, c
                                                         const LoadOptions& options) {
   std::map<std::string, std::uint32_t> index_by_name;
   Scene& scene = loading.scene;
+  std::set<std::filesystem::path> read;
   ObjTextures textures{loading.images, folder_of(obj_path), options.strict};
   for (const std::string& written : libraries) {
     const std::string name = plain_name(written);
@@ -208,6 +210,8 @@ std::map<std::string, std::uint32_t> load_obj_materials(LoadingScene& loading, c
                        obj_path + ": material library " + printable(name) + " is not there; its materials are grey");
       continue;
     }
+    std::error_code failure;
+    if (!read.insert(std::filesystem::weakly_canonical(path, failure)).second) continue;
     const MtlLibrary library = read_library(scene, path, options);
     const std::set<std::string> at_once = normals_with_heights(library);
     for (const MtlMaterial& source : library.materials) {

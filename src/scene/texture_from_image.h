@@ -9,10 +9,11 @@
 
 namespace vernier {
 
-/// What the colour channels of a texture with 8 bits a channel mean. Alpha is always linear.
+/// What the colour channels of an image mean. Alpha is always linear.
 enum class TexelEncoding {
-  srgb,   ///< colours: rgb through the sRGB curve
-  linear  ///< data (normals, factors): value / 255
+  srgb,      ///< colours of a surface: integers through the sRGB curve, what is stored times alpha divided by it
+  radiance,  ///< of surroundings: the same, but as they are stored
+  linear     ///< data (normals, factors): value / 255
 };
 
 /// Longest side of an image that is decoded, and most texels of it: what a hostile header may make us allocate

@@ -43,8 +43,12 @@ class InterruptTest(ProgramTest):
         self.check_interrupt(ENDLESS, "out.png", b"\x89PNG", signal.SIGTERM)
 
     def test_a_case_of_verify_ends_early(self):
-        process = self.start(["verify", "--case", "shared_edge", "--rays", "1000000000", "--quiet", "--json", "v.json"])
-        time.sleep(4.0)
+        process = subprocess.Popen(
+            [PROGRAM, "verify", "--case", "shared_edge", "--rays", "1000000000", "--quiet", "--json", "v.json"],
+            cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        while "failures" not in process.stdout.readline():
+            self.assertIsNone(process.poll())
+        time.sleep(1.0)  # the case is under way
         process.send_signal(signal.SIGINT)
         _, errors = process.communicate(timeout=60)
         self.assertEqual(process.returncode, FAILED, errors)

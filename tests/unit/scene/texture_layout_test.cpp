@@ -31,7 +31,7 @@ std::vector<float> floats_of(const Texels& texels) {
 }
 
 std::vector<float> decoded_floats(const std::string& path) {
-  return floats_of(*decode_texels_from_file(path, TexelEncoding::linear));
+  return floats_of(*decode_texels_from_file(path, TexelEncoding::srgb));
 }
 
 OIIO::ImageSpec exr_spec(int width, int height, const std::vector<std::string>& channels) {
@@ -53,6 +53,43 @@ TEST(TextureLayout, alpha_is_the_channel_of_that_name) {
   EXPECT_EQ(pixel({"R", "G"}, {1, 2}), (std::vector<float>{1, 2, 0, 1}));
   EXPECT_EQ(pixel({"Y"}, {2}), (std::vector<float>{2, 2, 2, 1}));
   EXPECT_EQ(pixel({"Y", "A"}, {2, 0.5f}), (std::vector<float>{4, 4, 4, 0.5f}));
+  EXPECT_EQ(pixel({"R"}, {2}), (std::vector<float>{2, 2, 2, 1})) << "one alone is grey";
+  EXPECT_EQ(pixel({"R", "G", "B", "matte.A"}, {1, 2, 3, 0.5f}), (std::vector<float>{1, 2, 3, 1}));
+  EXPECT_EQ(pixel({"a.A", "b.R", "b.G", "b.B"}, {0.5f, 1, 2, 3}), (std::vector<float>{1, 2, 3, 1}));
+  EXPECT_EQ(pixel({"View.Combined.A", "View.Combined.R", "View.Combined.G", "View.Combined.B", "View.Depth.Z"},
+                  {0.5f, 1, 2, 3, 7}),
+            (std::vector<float>{2, 4, 6, 0.5f}));
+}
+
+TEST(TextureLayout, of_a_tiff_the_last_of_two_or_four_is_alpha_whatever_its_kind) {
+  const TemporaryFolder folder;
+  OIIO::ImageSpec spec(1, 1, 4, OIIO::TypeDesc::UINT8);
+  spec.channelnames[3] = "spare";
+  spec.alpha_channel = -1;
+  const std::string path = write_image<std::uint8_t>(folder, "a.tif", spec, {50, 100, 128, 64});
+  EXPECT_EQ(decode_texels_from_file(path, TexelEncoding::srgb)->words, std::vector<std::uint32_t>{0x40806432u});
+}
+
+TEST(TextureLayout, surroundings_and_data_are_taken_as_they_are_stored) {
+  const TemporaryFolder folder;
+  const std::string path =
+      write_image<float>(folder, "a.exr", exr_spec(1, 1, {"R", "G", "B", "A"}), {0.5f, 0.25f, 1, 0.5f});
+  for (const TexelEncoding encoding : {TexelEncoding::radiance, TexelEncoding::linear}) {
+    EXPECT_EQ(floats_of(*decode_texels_from_file(path, encoding)), (std::vector<float>{0.5f, 0.25f, 1, 0.5f}));
+  }
+}
+
+TEST(TextureLayout, little_in_a_huge_display_window_is_refused) {
+  const TemporaryFolder folder;
+  OIIO::ImageSpec spec = exr_spec(4, 4, {"Y"});
+  spec.full_width = spec.full_height = 16384;
+  const std::string path = write_image(folder, "a.exr", spec, std::vector<float>(16, 1.0f));
+  EXPECT_THROW(decode_texels_from_file(path, TexelEncoding::srgb), Error);
+  spec.full_width = spec.full_height = 4;
+  spec.full_x = 100;  // it shows nothing, so it is passed over
+  const std::string beside = write_image(folder, "b.exr", spec, std::vector<float>(16, 1.0f));
+  EXPECT_EQ(decode_texels_from_file(beside, TexelEncoding::srgb)->width, 4u);
+  EXPECT_EQ(decoded_floats(beside)[0], 1.0f);
 }
 
 TEST(TextureLayout, colours_that_are_stored_times_alpha_are_divided) {
@@ -126,9 +163,12 @@ TEST(TextureLayout, deep_tiff_whose_zero_is_white_is_turned_round) {
   // The entry PhotometricInterpretation, SHORT, 1 value: 1 (black is zero) becomes 0.
   const std::size_t entry = bytes.find(std::string("\x06\x01\x03\0\x01\0\0\0\x01", 9));
   ASSERT_NE(entry, std::string::npos);
-  EXPECT_FLOAT_EQ(decoded_floats(path)[0], 0.2f);
+  const auto value = [](const std::string& name) {
+    return floats_of(*decode_texels_from_file(name, TexelEncoding::linear))[0];
+  };
+  EXPECT_FLOAT_EQ(value(path), 0.2f);
   bytes[entry + 8] = 0;
-  EXPECT_FLOAT_EQ(decoded_floats(folder.write("b.tif", bytes))[0], 0.8f);
+  EXPECT_FLOAT_EQ(value(folder.write("b.tif", bytes)), 0.8f);
 }
 
 }  // namespace
