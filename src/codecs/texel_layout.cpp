@@ -36,28 +36,26 @@ int channel_of(const OIIO::ImageSpec& spec, const std::string& prefix, char lett
   return found == spec.channelnames.end() ? -1 : static_cast<int>(found - spec.channelnames.begin());
 }
 
-/// The layer of the first channel `letter`: empty or with a point at its end.
-std::optional<std::string> layer_of(const OIIO::ImageSpec& spec, char letter) {
+/// The first layer that has red: empty or with a point at its end.
+std::optional<std::string> layer_with_red(const OIIO::ImageSpec& spec) {
   for (const std::string& name : spec.channelnames) {
     const std::string prefix = name.substr(0, name.find_last_of('.') + 1);
-    if (is_channel(name, prefix, letter)) return prefix;
+    if (is_channel(name, prefix, 'R')) return prefix;
   }
   return std::nullopt;
 }
 
 /// By their names, as EXR has them: colours of one layer, with its alpha; one alone is grey.
 std::optional<std::array<int, 4>> named_channels(const OIIO::ImageSpec& spec) {
-  if (const std::optional<std::string> layer = layer_of(spec, 'R')) {
+  if (const std::optional<std::string> layer = layer_with_red(spec)) {
     const int red = channel_of(spec, *layer, 'R'), green = channel_of(spec, *layer, 'G');
     const int blue = channel_of(spec, *layer, 'B'), alpha = channel_of(spec, *layer, 'A');
     if (green < 0 && blue < 0) return std::array{red, red, red, alpha};
     return std::array{red, green, blue, alpha};
   }
-  if (const std::optional<std::string> layer = layer_of(spec, 'Y')) {
-    const int grey = channel_of(spec, *layer, 'Y');
-    return std::array{grey, grey, grey, channel_of(spec, *layer, 'A')};
-  }
-  return std::nullopt;
+  const int grey = channel_of(spec, "", 'Y');  // but for the second of a vector's X, Y and Z
+  if (grey < 0 || channel_of(spec, "", 'X') >= 0) return std::nullopt;
+  return std::array{grey, grey, grey, channel_of(spec, "", 'A')};
 }
 
 /// The first three channels that are not `alpha` (-1: none), or the first as grey.
@@ -81,7 +79,7 @@ void set_channels(const std::array<int, 4>& channels, TexelLayout& layout) {
 /// Of EXR, whose pixels may be a part of the picture, or more than it. A window that shows none of them says nothing.
 void place_in_display_window(const OIIO::ImageSpec& spec, const std::string& name, TexelLayout& layout) {
   constexpr std::int64_t kLargeWindow = std::int64_t{1} << 22, kMostTimes = 16;
-  const int left = spec.x - spec.full_x, top = spec.y - spec.full_y;
+  const std::int64_t left = std::int64_t{spec.x} - spec.full_x, top = std::int64_t{spec.y} - spec.full_y;
   const bool shows_some =
       left < spec.full_width && top < spec.full_height && left + spec.width > 0 && top + spec.height > 0;
   if (!shows_some) return;
@@ -91,8 +89,8 @@ void place_in_display_window(const OIIO::ImageSpec& spec, const std::string& nam
   }
   layout.width = spec.full_width;
   layout.height = spec.full_height;
-  layout.left = left;
-  layout.top = top;
+  layout.left = static_cast<int>(left);
+  layout.top = static_cast<int>(top);
 }
 
 /// Of Radiance HDR, whose first line says where rows and columns begin: as EXIF's orientation. (EXIF's own does not

@@ -53,6 +53,7 @@ TEST(TextureLayout, alpha_is_the_channel_of_that_name) {
   EXPECT_EQ(pixel({"R", "G"}, {1, 2}), (std::vector<float>{1, 2, 0, 1}));
   EXPECT_EQ(pixel({"Y"}, {2}), (std::vector<float>{2, 2, 2, 1}));
   EXPECT_EQ(pixel({"Y", "A"}, {2, 0.5f}), (std::vector<float>{4, 4, 4, 0.5f}));
+  EXPECT_EQ(pixel({"N.X", "N.Y", "N.Z"}, {1, 2, 3}), (std::vector<float>{1, 2, 3, 1})) << "a vector";
   EXPECT_EQ(pixel({"R"}, {2}), (std::vector<float>{2, 2, 2, 1})) << "one alone is grey";
   EXPECT_EQ(pixel({"R", "G", "B", "matte.A"}, {1, 2, 3, 0.5f}), (std::vector<float>{1, 2, 3, 1}));
   EXPECT_EQ(pixel({"a.A", "b.R", "b.G", "b.B"}, {0.5f, 1, 2, 3}), (std::vector<float>{1, 2, 3, 1}));
