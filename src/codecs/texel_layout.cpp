@@ -5,23 +5,17 @@
 #include <cstdint>
 
 #include "error.h"
+#include "math/little_endian.h"
 
 namespace vernier {
 namespace {
-
-std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
-  if (bytes.size() < offset + 4) return 0;
-  std::uint32_t word = 0;
-  for (std::size_t i = 0; i < 4; ++i) word |= std::to_integer<std::uint32_t>(bytes[offset + i]) << (8 * i);
-  return word;
-}
 
 /// A BMP's fourth byte is alpha only where its header has a mask for it.
 bool bmp_has_alpha(std::span<const std::byte> encoded) {
   constexpr std::size_t kHeaderSize = 14, kCompression = 30, kAlphaMask = 66;
   constexpr std::uint32_t kWithMask = 56, kBitFields = 3;
-  return word_at(encoded, kHeaderSize) >= kWithMask && word_at(encoded, kCompression) == kBitFields &&
-         word_at(encoded, kAlphaMask) != 0;
+  return encoded.size() >= kAlphaMask + 4 && little_endian(encoded, kHeaderSize) >= kWithMask &&
+         little_endian(encoded, kCompression) == kBitFields && little_endian(encoded, kAlphaMask) != 0;
 }
 
 /// Whether `name` is the channel `letter` of the layer `prefix` (empty, or with a point at its end).

@@ -13,7 +13,7 @@ namespace vernier {
 /// How the pixels of an image file become those of a texture.
 struct TexelLayout {
   int first_channel = 0;  ///< of those that are read
-  int channel_count = 1;
+  int channel_count = 3;
   std::array<int, 4> channels = {0, 1, 2, -1};  ///< red, green, blue and alpha among them; -1: 0, of alpha opaque
   bool divides_by_alpha = false;                ///< colours are stored times alpha
   bool is_negative = false;                     ///< 0 is white

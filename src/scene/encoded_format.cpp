@@ -8,6 +8,7 @@
 
 #include "error.h"
 #include "image/file_format.h"
+#include "math/little_endian.h"
 
 namespace vernier {
 namespace {
@@ -32,12 +33,6 @@ constexpr std::array kSignatures{Signature{"\x89PNG\r\n\x1a\n"sv, 0, "png"},
                                  Signature{"DDS "sv, 0, "dds"},
                                  Signature{"\0\0\0\x0cjP  "sv, 0, "jp2"}};
 
-std::uint32_t number_at(std::span<const std::byte> encoded, std::size_t offset, std::size_t bytes) {
-  std::uint32_t value = 0;  // little-endian
-  for (std::size_t i = bytes; i-- > 0;) value = value << 8 | std::to_integer<std::uint32_t>(encoded[offset + i]);
-  return value;
-}
-
 /// The largest palette index of the pixels from `place` on; run-length packets where `is_packed`.
 std::uint32_t largest_index(std::span<const std::byte> encoded, std::size_t place, std::size_t pixels, bool is_packed) {
   std::uint32_t largest = 0;
@@ -58,14 +53,14 @@ std::uint32_t largest_index(std::span<const std::byte> encoded, std::size_t plac
 void check_tga(std::span<const std::byte> encoded, const std::string& name) {
   constexpr std::size_t kHeaderBytes = 18;
   if (encoded.size() < kHeaderBytes) refuse(name, "the image is cut short");
-  const std::uint32_t type = number_at(encoded, 2, 1);
+  const std::uint32_t type = little_endian(encoded, 2, 1);
   const bool is_packed = type == 9;
   if (type != 1 && !is_packed) return;
-  const std::uint32_t first = number_at(encoded, 3, 2), colors = number_at(encoded, 5, 2);
-  const std::uint32_t index_bits = number_at(encoded, 16, 1);
-  const std::size_t palette_bytes = std::size_t{colors} * ((number_at(encoded, 7, 1) + 7) / 8);
-  const std::size_t pixels = std::size_t{number_at(encoded, 12, 2)} * number_at(encoded, 14, 2);
-  const std::size_t place = kHeaderBytes + number_at(encoded, 0, 1) + palette_bytes;
+  const std::uint32_t first = little_endian(encoded, 3, 2), colors = little_endian(encoded, 5, 2);
+  const std::uint32_t index_bits = little_endian(encoded, 16, 1);
+  const std::size_t palette_bytes = std::size_t{colors} * ((little_endian(encoded, 7, 1) + 7) / 8);
+  const std::size_t pixels = std::size_t{little_endian(encoded, 12, 2)} * little_endian(encoded, 14, 2);
+  const std::size_t place = kHeaderBytes + little_endian(encoded, 0, 1) + palette_bytes;
   if (first != 0 || index_bits != 8 || largest_index(encoded, place, pixels, is_packed) >= colors) {
     refuse(name, "its colours lie outside its palette");
   }
@@ -76,13 +71,13 @@ void check_dds(std::span<const std::byte> encoded, const std::string& name) {
   constexpr std::size_t kHeaderBytes = 128;
   constexpr std::uint32_t kHasAlpha = 1, kHasCode = 4, kIsRgb = 64;
   if (encoded.size() < kHeaderBytes) refuse(name, "the image is cut short");
-  const std::uint32_t flags = number_at(encoded, 80, 4);
+  const std::uint32_t flags = little_endian(encoded, 80);
   const std::string_view code(reinterpret_cast<const char*>(encoded.data()) + 84, 4);
-  const std::array masks{number_at(encoded, 92, 4), number_at(encoded, 96, 4), number_at(encoded, 100, 4)};
+  const std::array masks{little_endian(encoded, 92), little_endian(encoded, 96), little_endian(encoded, 100)};
   const bool is_known = (flags & kHasCode) != 0
                             ? code == "DXT1" || code == "DXT3" || code == "DXT5"
                             : (flags & kIsRgb) != 0 && std::ranges::find(masks, 0u) == masks.end() &&
-                                  ((flags & kHasAlpha) == 0 || number_at(encoded, 104, 4) != 0);
+                                  ((flags & kHasAlpha) == 0 || little_endian(encoded, 104) != 0);
   if (!is_known) refuse(name, "DDS images are read with DXT1, DXT3, DXT5 or plain RGB alone");
 }
 

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "error.h"
+#include "math/little_endian.h"
 
 namespace vernier {
 namespace {
@@ -13,18 +14,12 @@ constexpr std::uint32_t kBinChunk = 0x004E4942;
 constexpr std::size_t kHeaderBytes = 12;
 constexpr std::size_t kChunkHeaderBytes = 8;
 
-std::uint32_t word_at(std::span<const std::byte> bytes, std::size_t offset) {
-  std::uint32_t word = 0;
-  for (std::size_t i = 0; i < 4; ++i) word |= std::uint32_t(bytes[offset + i]) << (8 * i);
-  return word;
-}
-
 /// The bytes of the whole that the header of the GLB `file` promises, all of which are there.
 std::size_t glb_length(std::span<const std::byte> file, const std::string& path) {
   if (file.size() < kHeaderBytes + kChunkHeaderBytes) refuse(path, "the file ends within the GLB header");
-  if (word_at(file, 4) != 2)
-    refuse(path, "GLB version " + std::to_string(word_at(file, 4)) + " is not supported, only 2");
-  const std::size_t length = word_at(file, 8);
+  if (little_endian(file, 4) != 2)
+    refuse(path, "GLB version " + std::to_string(little_endian(file, 4)) + " is not supported, only 2");
+  const std::size_t length = little_endian(file, 8);
   if (length > file.size()) {
     refuse(path,
            "the GLB header promises " + std::to_string(length) + " bytes, the file has " + std::to_string(file.size()));
@@ -51,8 +46,8 @@ GltfContainer split_gltf_container(std::span<const std::byte> file, const std::s
   GltfContainer container;
   std::size_t offset = kHeaderBytes;
   for (int chunk = 0; length >= offset && length - offset >= kChunkHeaderBytes; ++chunk) {
-    const std::size_t chunk_bytes = word_at(file, offset);
-    const std::uint32_t type = word_at(file, offset + 4);
+    const std::size_t chunk_bytes = little_endian(file, offset);
+    const std::uint32_t type = little_endian(file, offset + 4);
     offset += kChunkHeaderBytes;
     if (chunk_bytes > length - offset) {
       refuse(path,

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <set>
 
+#include "accuracy/converged_reference.h"
+
 namespace vernier {
 namespace {
 
@@ -73,6 +75,13 @@ TEST(CostPlanTest, PointsStayFarBelowTheReference) {
   EXPECT_EQ(most_spp(4095, 1.0, 1e9), 128u);
   EXPECT_EQ(most_spp(65536, 1.0, 100.0), 64u);
   EXPECT_EQ(most_spp(1, 1.0, 0.0), 4u);
+}
+
+TEST(ReferenceParts, two_fit_the_budget_at_twice_a_points_time) {
+  EXPECT_EQ(choose_part_spp(1e9, 1.0), 64u);
+  EXPECT_EQ(choose_part_spp(256.0, 1.0), 64u);
+  EXPECT_EQ(choose_part_spp(255.0, 1.0), 32u);
+  EXPECT_EQ(choose_part_spp(0.0, 1.0), 4u);
 }
 
 }  // namespace
