@@ -186,6 +186,7 @@ MtlLibrary read_library(Scene& scene, const std::string& path, const LoadOptions
     throw;
   } catch (const Error& error) {
     warn_unsupported(scene, options, std::string(error.what()) + "; its materials are grey");
+    return library;
   }
   note_file(scene.files, path);
   for (const std::string& line : library.unsupported) warn_unsupported(scene, options, path + ": " + line);
